@@ -1,0 +1,3 @@
+//! The polhode command.
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! Scenes for the polhode engine: TOML files, mesh files, recordings.

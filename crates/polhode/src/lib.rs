@@ -1,0 +1,3 @@
+//! Rigid-body dynamics whose state is the textbook's: position, orientation, linear and angular momentum.
+
+pub mod math;
