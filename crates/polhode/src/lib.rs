@@ -1,3 +1,6 @@
 //! Rigid-body dynamics whose state is the textbook's: position, orientation, linear and angular momentum.
 
+pub mod error;
 pub mod math;
+
+pub use error::Error;
