@@ -2,5 +2,7 @@
 
 pub mod error;
 pub mod math;
+pub mod store;
+pub mod par;
 
 pub use error::Error;
