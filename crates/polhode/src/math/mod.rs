@@ -2,6 +2,7 @@
 //!
 //! Every type is generic over [`Lane`]; the `f64` instance, which the bare name means, is the public type.
 
+mod eigen;
 mod interop;
 mod lane;
 mod mat3;
@@ -9,6 +10,7 @@ mod pose;
 mod quat;
 mod vec3;
 
+pub use eigen::SymmetricEigen;
 pub use lane::Lane;
 pub use mat3::Mat3;
 pub use pose::Pose;
