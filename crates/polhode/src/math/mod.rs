@@ -3,6 +3,7 @@
 //! Every type is generic over [`Lane`]; the `f64` instance, which the bare name means, is the public type.
 
 pub mod dense;
+mod eigen;
 mod interop;
 mod lane;
 mod mat3;
@@ -11,6 +12,7 @@ mod quat;
 mod vec3;
 
 pub use lane::{Lane, Wide};
+pub use eigen::SymmetricEigen;
 pub use mat3::Mat3;
 pub use pose::Pose;
 pub use quat::Quat;
