@@ -3,8 +3,9 @@
 //! The formula is [`pdmv::rotate`], one text; here it is fed with vectors of the width that the CPU offers at run time.
 //! A lane does the same IEEE operations in the same order at every width, so the width never shows in a result.
 
+use super::exact;
 use super::pdmv::{self, Order};
-use crate::math::{Quat, Vec3, Wide};
+use crate::math::{Lane, Quat, Vec3, Wide};
 use fearless_simd::{Level, Simd, dispatch};
 
 /// How many bodies go through the arithmetic at once. Every choice gives the same bits.
@@ -32,87 +33,72 @@ fn native_width<S: Simd>(_: S) -> usize {
     Wide::<S>::LEN
 }
 
-/// Turns every body of the slices over `h` [s] and returns how many were spinning too fast to be turned.
+/// Turns every body of the slices over `h` \[s\].
 ///
-/// `l` in world axes [kg·m²/s]; `k` reciprocal principal moments [1/(kg·m²)]. All slices have length (n_bodies); the
-/// orientation of a body that spins too fast (see [`pdmv::MAX_SUBROTATIONS`]) is unchanged and `refused` gets its index.
+/// `l` in world axes [kg·m²/s]; `k` reciprocal principal moments [1/(kg·m²)]. All slices have length (n_bodies). A body that
+/// spins too fast for the map (see [`pdmv::MAX_SUBROTATIONS`]) is turned by the exact solution, which has no such limit.
 ///
 /// # Panics
 /// If the slices differ in length.
-pub fn rotate(
-    lanes: Lanes,
-    order: Order,
-    rot: &mut [Quat],
-    l: &[Vec3],
-    k: &[Vec3],
-    h: f64,
-    refused: &mut impl FnMut(usize),
-) {
+pub fn rotate(lanes: Lanes, order: Order, rot: &mut [Quat], l: &[Vec3], k: &[Vec3], h: f64) {
     assert!(rot.len() == l.len() && rot.len() == k.len(), "slices of one length");
     match lanes {
-        Lanes::One => scalar(order, rot, l, k, h, 0, refused),
+        Lanes::One => scalar(order, rot, l, k, h),
         // One match on the order outside the loops: each order gets its own straight-line code.
         Lanes::Native => dispatch!(Level::new(), simd => match order {
-            Order::Two => wide(simd, Order::Two, rot, l, k, h, refused),
-            Order::Four => wide(simd, Order::Four, rot, l, k, h, refused),
-            Order::Six => wide(simd, Order::Six, rot, l, k, h, refused),
-            Order::Eight => wide(simd, Order::Eight, rot, l, k, h, refused),
-            Order::Ten => wide(simd, Order::Ten, rot, l, k, h, refused),
+            Order::Two => wide(simd, Order::Two, rot, l, k, h),
+            Order::Four => wide(simd, Order::Four, rot, l, k, h),
+            Order::Six => wide(simd, Order::Six, rot, l, k, h),
+            Order::Eight => wide(simd, Order::Eight, rot, l, k, h),
+            Order::Ten => wide(simd, Order::Ten, rot, l, k, h),
         }),
     }
 }
 
-fn scalar(
-    order: Order,
-    rot: &mut [Quat],
-    l: &[Vec3],
-    k: &[Vec3],
-    h: f64,
-    first: usize,
-    refused: &mut impl FnMut(usize),
-) {
-    for (i, ((rot, &l), &k)) in rot.iter_mut().zip(l).zip(k).enumerate() {
-        let (turned, too_fast) = pdmv::rotate(order, *rot, l, k, h);
-        *rot = turned;
-        if too_fast {
-            refused(first + i);
-        }
+/// Turns one body over `h` \[s\]: the same bits as [`rotate`].
+pub fn rotate_one(order: Order, rot: Quat, l: Vec3, k: Vec3, h: f64) -> Quat {
+    let (turned, too_fast) = pdmv::rotate(order, rot, l, k, h);
+    if too_fast {
+        return exact::rotate(rot, l, Vec3::new(1.0 / k.x, 1.0 / k.y, 1.0 / k.z), h);
+    }
+    turned
+}
+
+fn scalar(order: Order, rot: &mut [Quat], l: &[Vec3], k: &[Vec3], h: f64) {
+    for ((rot, &l), &k) in rot.iter_mut().zip(l).zip(k) {
+        *rot = rotate_one(order, *rot, l, k, h);
     }
 }
 
 #[inline(always)]
-fn wide<S: Simd>(
-    simd: S,
-    order: Order,
-    rot: &mut [Quat],
-    l: &[Vec3],
-    k: &[Vec3],
-    h: f64,
-    refused: &mut impl FnMut(usize),
-) {
+fn wide<S: Simd>(simd: S, order: Order, rot: &mut [Quat], l: &[Vec3], k: &[Vec3], h: f64) {
     let n = Wide::<S>::LEN;
     let whole = rot.len() / n * n;
     let h_wide = Wide::splat(simd, h);
+    let gather = |v: &[Vec3]| {
+        Vec3::new(
+            Wide::from_fn(simd, |i| v[i].x),
+            Wide::from_fn(simd, |i| v[i].y),
+            Wide::from_fn(simd, |i| v[i].z),
+        )
+    };
     for first in (0..whole).step_by(n) {
         let range = first..first + n;
-        let (rot_now, l_now, k_now) = (&mut rot[range.clone()], &l[range.clone()], &k[range]);
+        let (rot, l, k) = (&mut rot[range.clone()], &l[range.clone()], &k[range]);
         let q = Quat::new(
-            Wide::from_fn(simd, |i| rot_now[i].w),
-            Wide::from_fn(simd, |i| rot_now[i].x),
-            Wide::from_fn(simd, |i| rot_now[i].y),
-            Wide::from_fn(simd, |i| rot_now[i].z),
+            Wide::from_fn(simd, |i| rot[i].w),
+            Wide::from_fn(simd, |i| rot[i].x),
+            Wide::from_fn(simd, |i| rot[i].y),
+            Wide::from_fn(simd, |i| rot[i].z),
         );
-        let gather = |v: &[Vec3]| {
-            Vec3::new(
-                Wide::from_fn(simd, |i| v[i].x),
-                Wide::from_fn(simd, |i| v[i].y),
-                Wide::from_fn(simd, |i| v[i].z),
-            )
-        };
-        let (turned, _) = pdmv::rotate(order, q, gather(l_now), gather(k_now), h_wide);
-        for (i, rot) in rot_now.iter_mut().enumerate() {
+        let (turned, too_fast) = pdmv::rotate(order, q, gather(l), gather(k), h_wide);
+        if Wide::<S>::any(too_fast) {
+            scalar(order, rot, l, k, h);
+            continue;
+        }
+        for (i, rot) in rot.iter_mut().enumerate() {
             *rot = Quat::new(turned.w.lane(i), turned.x.lane(i), turned.y.lane(i), turned.z.lane(i));
         }
     }
-    scalar(order, &mut rot[whole..], &l[whole..], &k[whole..], h, whole, refused);
+    scalar(order, &mut rot[whole..], &l[whole..], &k[whole..], h);
 }

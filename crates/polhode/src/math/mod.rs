@@ -4,6 +4,7 @@
 
 pub mod dense;
 mod eigen;
+pub mod elliptic;
 mod interop;
 mod lane;
 mod mat3;

@@ -13,7 +13,7 @@ use crate::field::{Buoyancy, Field, Law};
 use crate::integrate::Integrator;
 use crate::integrate::lanes::Lanes;
 use crate::mass::MassProperties;
-use crate::math::{Mat3, Pose, Quat, Vec3};
+use crate::math::{Pose, Quat, Vec3};
 use crate::shape::Shape;
 use crate::store::{BodyId, Group, Move, Slots, insert_into, remove_from};
 
@@ -22,18 +22,21 @@ use crate::store::{BodyId, Group, Move, Slots, insert_into, remove_from};
 pub struct Model {
     /// From ids to slots and back.
     pub slots: Slots,
-    /// Mass \[kg\]; 1 for kinematic bodies, whose momentum is then their velocity; 0 for fixed (n_bodies).
+    /// Mass \[kg\]; 1 for bodies that forces do not move, whose momentum is then their velocity (n_bodies).
     pub mass: Vec<f64>,
-    /// 1/mass \[1/kg\]; 0 for fixed bodies (n_bodies).
+    /// 1/mass \[1/kg\] (n_bodies).
     pub inv_mass: Vec<f64>,
-    /// Principal moments of inertia [kg·m²]; 1 for kinematic, 0 for fixed (n_bodies).
+    /// Principal moments of inertia [kg·m²]; 1 for bodies that forces do not move (n_bodies).
     pub inertia: Vec<Vec3>,
-    /// Reciprocal principal moments [1/(kg·m²)]; 0 for fixed bodies (n_bodies).
+    /// Reciprocal principal moments [1/(kg·m²)] (n_bodies).
     pub inv_inertia: Vec<Vec3>,
     /// Centre of mass and principal axes, in the body's own frame (n_bodies).
     pub frame: Vec<Pose>,
     /// Factor on the uniform gravity (n_bodies).
     pub gravity_scale: Vec<f64>,
+    /// Point masses that stand for the body in mutual gravitation: mass \[kg\], and place from the centre of mass along the
+    /// principal axes \[m\]; none where the whole mass at its centre will do (n_bodies).
+    pub point_masses: Vec<Vec<(f64, Vec3)>>,
     /// Shapes, in the body's own frame (n_bodies).
     pub shapes: Vec<Vec<Shape>>,
     /// Names given by the user (n_bodies).
@@ -79,6 +82,7 @@ impl Model {
             inv_inertia: Vec::new(),
             frame: Vec::new(),
             gravity_scale: Vec::new(),
+            point_masses: Vec::new(),
             shapes: Vec::new(),
             names: Vec::new(),
             fields: Vec::new(),
@@ -111,7 +115,7 @@ impl Model {
             require_planar(&body)?;
         }
         self.require_known_to_fields(&body)?;
-        let Constants { mass, inertia, frame } = Constants::of(&body, mass, self.planar)?;
+        let Constants { mass, inertia, frame } = Constants::of(mass, self.planar)?;
         let pose = Pose::new(body.pose.x, body.pose.rot.normalized()) * frame;
         let rot = if frame.rot == Quat::IDENTITY { pose.rot } else { pose.rot.normalized() };
         let l = match body.spin {
@@ -122,15 +126,16 @@ impl Model {
         if !(start.x.is_finite() && start.p.is_finite() && start.l.is_finite()) {
             return Err(Error::new("velocity", "the momentum overflows"));
         }
-        let inverse = |v: f64| if v > 0.0 { 1.0 / v } else { 0.0 };
-        let inv_inertia = Vec3::new(inverse(inertia.x), inverse(inertia.y), inverse(inertia.z));
+        let inv_inertia = Vec3::new(1.0 / inertia.x, 1.0 / inertia.y, 1.0 / inertia.z);
+        let point_masses = point_masses(&body, frame)?;
         let (id, slot, moves) = self.slots.insert(body.group);
         insert_into(&mut self.mass, slot, moves, mass);
-        insert_into(&mut self.inv_mass, slot, moves, inverse(mass));
+        insert_into(&mut self.inv_mass, slot, moves, 1.0 / mass);
         insert_into(&mut self.inertia, slot, moves, inertia);
         insert_into(&mut self.inv_inertia, slot, moves, inv_inertia);
         insert_into(&mut self.frame, slot, moves, frame);
         insert_into(&mut self.gravity_scale, slot, moves, body.gravity_scale);
+        insert_into(&mut self.point_masses, slot, moves, point_masses);
         insert_into(&mut self.shapes, slot, moves, body.shapes);
         insert_into(&mut self.names, slot, moves, body.name);
         Ok((id, slot, moves, start))
@@ -145,6 +150,7 @@ impl Model {
         remove_from(&mut self.inv_inertia, moves);
         remove_from(&mut self.frame, moves);
         remove_from(&mut self.gravity_scale, moves);
+        remove_from(&mut self.point_masses, moves);
         remove_from(&mut self.shapes, moves);
         remove_from(&mut self.names, moves);
         self.fields.retain_mut(|f| match &f.law {
@@ -204,6 +210,9 @@ impl Model {
                     known("a", id)?;
                 }
             }
+            Law::MutualGravity(_) if field.only.is_some() => {
+                return Err(Error::new("only", "mutual gravitation acts between all dynamic bodies and takes no list"));
+            }
             _ => {}
         }
         let mut slots = Vec::new();
@@ -253,26 +262,37 @@ struct Constants {
 }
 
 impl Constants {
-    fn of(body: &Body, mass: Option<MassProperties>, planar: bool) -> Result<Self, Error> {
-        let Some(mut mass) = mass else {
+    fn of(mass: Option<MassProperties>, planar: bool) -> Result<Self, Error> {
+        let Some(mass) = mass else {
             // A prescribed body is stored with unit mass and unit inertia, so that p and l are its velocities and the one
             // drift serves all that moves. No force reaches it.
-            let unit = if body.group == Group::Kinematic { 1.0 } else { 0.0 };
-            return Ok(Self { mass: unit, inertia: Vec3::splat(unit), frame: Pose::IDENTITY });
+            return Ok(Self { mass: 1.0, inertia: Vec3::splat(1.0), frame: Pose::IDENTITY });
         };
-        if planar {
+        let mut center = mass.center();
+        let (moments, axes) = if planar {
             // In the plane one number is the inertia: the moment about z. The others are never asked for.
-            let i = mass.inertia.at(2, 2);
-            mass.inertia = Mat3::diagonal(Vec3::new(0.5 * i, 0.5 * i, i));
-            mass.center.z = 0.0;
-        }
-        let principal = mass.principal();
-        let inverse = Vec3::new(1.0 / principal.moments.x, 1.0 / principal.moments.y, 1.0 / principal.moments.z);
-        if !(1.0 / mass.mass).is_finite() || !inverse.is_finite() || !inverse.length_squared().is_finite() {
+            center.z = 0.0;
+            let i = mass.inertia().at(2, 2);
+            (Vec3::new(0.5 * i, 0.5 * i, i), Quat::IDENTITY)
+        } else {
+            let principal = mass.principal();
+            (principal.moments, principal.axes)
+        };
+        let inverse = Vec3::new(1.0 / moments.x, 1.0 / moments.y, 1.0 / moments.z);
+        if !(1.0 / mass.mass()).is_finite() || !inverse.length_squared().is_finite() {
             return Err(Error::new("inertia", "is too small: its reciprocal overflows"));
         }
-        Ok(Self { mass: mass.mass, inertia: principal.moments, frame: Pose::new(mass.center, principal.axes) })
+        Ok(Self { mass: mass.mass(), inertia: moments, frame: Pose::new(center, axes) })
     }
+}
+
+/// The shapes of a composite body as point masses; a single shape or given mass properties act from the centre of mass.
+fn point_masses(body: &Body, frame: Pose) -> Result<Vec<(f64, Vec3)>, Error> {
+    if body.group != Group::Dynamic || body.mass.is_some() || body.shapes.len() < 2 {
+        return Ok(Vec::new());
+    }
+    let place = |shape: &Shape| shape.mass_properties().map(|m| (m.mass(), frame.inverse_point(m.center())));
+    body.shapes.iter().map(place).collect()
 }
 
 /// In a planar world everything starts in the plane and turns about its normal.

@@ -6,7 +6,7 @@
 
 use super::forces::forces;
 use super::scratch::Scratch;
-use crate::integrate::lanes::{self, Lanes};
+use crate::integrate::lanes;
 use crate::integrate::{Composition, Drift, Kick, Phase, exponential};
 use crate::math::{Quat, Vec3};
 use crate::model::Model;
@@ -183,7 +183,7 @@ impl Stage<'_> {
     }
 
     /// Kick h/2, drift h, kick h/2, ending at `time`; with pins, RATTLE.
-    fn verlet(&mut self, h: f64, time: f64, order: u32) -> Residual {
+    fn verlet(&mut self, h: f64, time: f64, order: usize) -> Residual {
         let model = self.model;
         let fused = self.scratch.only_gravity;
         self.keep_pinned();
@@ -284,10 +284,11 @@ impl Stage<'_> {
                 Push::new(self.model, self.scratch).kick(slot, p, l, 0.5 * h);
             }
             let pins = self.pins_at(first);
+            let start = first;
             first = pins.end;
             let mut body = pinned(self.model, &mut self.state.bodies, slot);
             body.close_velocities(
-                |i| point(self.model, pins.start + i),
+                |i| point(self.model, start + i),
                 &mut self.state.pin_closing[pins],
                 &mut self.scratch.rows,
             );
@@ -303,7 +304,7 @@ impl Stage<'_> {
     }
 }
 
-fn point(model: &Model, pin: usize) -> Point {
+pub(super) fn point(model: &Model, pin: usize) -> Point {
     Point { point: model.pins[pin].point, at: model.pins[pin].at }
 }
 

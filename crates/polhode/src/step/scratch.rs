@@ -1,6 +1,6 @@
 //! Everything else that a step computes.
 
-use crate::integrate::coupled::Work;
+use crate::integrate::phase::Work;
 use crate::math::{Quat, Vec3};
 use crate::model::Model;
 use crate::solve::pins::Rows;
