@@ -1,12 +1,16 @@
 //! The two halves of a RATTLE step for a body with pinned points.
 //!
-//! A body with pins alone is an island of its own, so all its rows are solved together and directly: 3 rows a pin, however
-//! redundant. In the first half the impulses λ are found such that the points close *after* the drift, by Newton steps on
+//! With one pin the constraint is eliminated: between kicks the body turns freely about the pinned point, with its inertia
+//! about that point and its angular momentum about it constant, so the free rotation of [`crate::integrate`] is the whole
+//! answer and the point never leaves its place.
+//!
+//! With several, all rows of the body are solved together and directly: 3 rows a pin, however redundant. In the first half the impulses λ are found such that the points close *after* the drift, by Newton steps on
 //! the real drift; in the second the impulses µ such that the points do not move. λ starts from the last µ and never from
 //! the last λ, which would integrate the gap instead of closing it.
 
 use crate::constraint::pin;
 use crate::math::{Mat3, Quat, Vec3, dense};
+use crate::model::Pin;
 
 /// Room for one body's rows. Scratch: nothing in it outlives a call.
 #[derive(Clone, Debug, Default)]
@@ -144,6 +148,31 @@ impl Pinned<'_> {
                 self.apply(step, rows.arms[i]);
             }
         }
+    }
+
+    /// The first half of a body with one pin: drifts about it over `h`. `rotate` is the free rotation (orientation,
+    /// angular momentum, reciprocal moments). Returns the impulse of the pin.
+    pub fn drift_about(
+        &mut self,
+        pin: &Pin,
+        mass: f64,
+        rotate: impl Fn(Quat, Vec3, Vec3) -> Quat,
+        rows: &mut Rows,
+    ) -> Vec3 {
+        let before = *self.p;
+        let mut impulse = [Vec3::ZERO];
+        let point = Point { point: pin.point, at: pin.at };
+        // The kick left a velocity that the pin does not allow; its answer does not change L about the pin.
+        self.close_velocities(|_| point, &mut impulse, rows);
+        let l = *self.l - rows.arms[0].cross(*self.p);
+        let rot = rotate(*self.rot * pin.axes, l, pin.inv_inertia);
+        *self.rot = (rot * pin.axes.conjugate()).renormalized();
+        let w = rot.rotate(rot.inverse_rotate(l).scale(pin.inv_inertia));
+        let arm = self.rot.rotate(pin.point);
+        *self.x = pin.at - arm;
+        *self.p = arm.cross(w) * mass;
+        *self.l = l + arm.cross(*self.p);
+        *self.p - before
     }
 
     /// The second half: finds and applies the impulses with which the points are at rest, and writes them to `impulse`.

@@ -261,6 +261,12 @@ impl Stage<'_> {
             }
             let (map, k) = (self.drift, self.model.inv_inertia[slot]);
             let mut body = pinned(self.model, &mut self.state.bodies, slot);
+            if let [pin] = self.model.pins[pins.clone()] {
+                let rotate = |rot, l, k| map.rotate(rot, l, k, h);
+                self.state.pin_opening[pins.start] =
+                    body.drift_about(&pin, self.model.mass[slot], rotate, &mut self.scratch.rows);
+                continue;
+            }
             let residual = body.close_positions(
                 |i| point(self.model, pins.start + i),
                 &mut self.state.pin_opening[pins.clone()],
