@@ -3,5 +3,6 @@
 pub mod error;
 pub mod mass;
 pub mod math;
+pub mod shape;
 
 pub use error::Error;

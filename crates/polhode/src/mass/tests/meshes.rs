@@ -48,7 +48,9 @@ fn a_million_metres_away_no_digit_is_lost() {
     // Vertices are multiples of 2⁻²⁰ m, so that moving them by 2²⁰ m is exact; then nothing else may differ.
     let (mut near, triangles) = surfaces::ellipsoid([0.5, 0.9, 0.7], 8);
     let grid = libm::exp2(20.0);
-    near.iter_mut().for_each(|p| *p = Vec3::from(p.to_array().map(|x| libm::round(x * grid) / grid)));
+    for p in &mut near {
+        *p = Vec3::from(p.to_array().map(|x| libm::round(x * grid) / grid));
+    }
     let away = Vec3::new(grid, -grid, grid);
     let far: Vec<Vec3> = near.iter().map(|&p| p + away).collect();
     for (a, b) in [
