@@ -1,9 +1,10 @@
 //! Mesh integrals in closed form, far away, with cavities; and every refusal.
 
 use super::surfaces::{self, Mesh, cuboid, inside_out, together};
-use crate::Error;
-use crate::mass::{Moments, mesh};
+use crate::error::Error;
+use crate::mass::{MassProperties, Moments, mesh};
 use crate::math::{Mat3, Vec3};
+use proptest::prelude::*;
 
 fn solid((positions, triangles): &Mesh, density: f64) -> Result<Moments, Error> {
     mesh::solid(positions, triangles, density)
@@ -172,5 +173,26 @@ fn the_normals_of_a_closed_surface_cancel() {
             })
             .sum();
         assert!(sum.max_abs() < triangles.len() as f64 * f64::EPSILON);
+    }
+}
+proptest! {
+    #[test]
+    fn no_mesh_panics(
+        positions in prop::collection::vec(prop::array::uniform3(any::<f64>()), 0..6),
+        triangles in prop::collection::vec(prop::array::uniform3(0..6_u32), 0..12),
+    ) {
+        let positions: Vec<Vec3> = positions.into_iter().map(Vec3::from).collect();
+        for m in [mesh::solid(&positions, &triangles, 1.0), mesh::shell(&positions, &triangles, 1.0, 1.0)] {
+            if let Ok(p) = m.and_then(|m| m.properties()) {
+                prop_assert!(p.mass() > 0.0 && p.principal().moments.is_finite());
+            }
+        }
+    }
+
+    #[test]
+    fn no_inertia_panics(mass in any::<f64>(), center in prop::array::uniform3(any::<f64>()), j in any::<[[f64; 3]; 3]>()) {
+        if let Ok(p) = MassProperties::new(mass, center, j) {
+            prop_assert!(p.principal().axes.is_finite());
+        }
     }
 }
