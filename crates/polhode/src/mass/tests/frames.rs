@@ -72,10 +72,10 @@ proptest! {
 
     #[test]
     fn two_pieces_of_a_tetrahedron_are_the_whole(
-        moved in prop::array::uniform4(vector(0.7)),
+        moved in prop::array::uniform4(vector(0.4)),
         share in 0.1..0.9_f64,
     ) {
-        // A right-angled corner of edge 3, each vertex moved by less than would flatten it.
+        // The edges are 3·1 plus elements below 0.8: diagonally dominant (2.2 > 1.6), so never flat.
         let corners = [Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0, Vec3::Z * 3.0];
         let corners = [0, 1, 2, 3].map(|i| corners[i] + moved[i]);
         let [a, b, c, d] = corners;
