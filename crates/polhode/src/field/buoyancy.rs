@@ -38,7 +38,7 @@ impl Field {
 impl Buoyancy {
     /// Whether the law knows the submerged part of a shape.
     pub fn knows(geometry: &Geometry) -> bool {
-        matches!(geometry, Geometry::Sphere { .. } | Geometry::Cuboid { .. })
+        matches!(geometry, Geometry::Sphere(_) | Geometry::Cuboid(_))
     }
 
     /// The lift on the body.
@@ -66,8 +66,8 @@ impl Buoyancy {
         for shape in body.shapes {
             let pose = pose * shape.pose;
             let part = match &shape.geometry {
-                Geometry::Sphere { radius } => submerged_sphere(*radius, pose.x, -down, self.level),
-                Geometry::Cuboid { size } => submerged_cuboid(*size, pose, -down, self.level),
+                Geometry::Sphere(s) => submerged_sphere(s.radius, pose.x, -down, self.level),
+                Geometry::Cuboid(c) => submerged_cuboid(c.size, pose, -down, self.level),
                 _ => continue,
             };
             if part.volume > 0.0 {
@@ -198,7 +198,8 @@ mod tests {
         let s = submerged_cuboid(size, pose, Vec3::Z, 0.2);
         let d = 1e-5;
         // Central differences: d² times the third derivative, some 1e-9, and rounding 1e-16/d.
-        let slope = (energy(Pose::new(pose.x + Vec3::Z * d, pose.rot)) - energy(Pose::new(pose.x - Vec3::Z * d, pose.rot)))
+        let slope = (energy(Pose::new(pose.x + Vec3::Z * d, pose.rot))
+            - energy(Pose::new(pose.x - Vec3::Z * d, pose.rot)))
             / (2.0 * d);
         assert!((slope + s.volume).abs() < 1e-9);
         for axis in [Vec3::X, Vec3::Y, Vec3::Z] {

@@ -62,10 +62,7 @@ impl QuadraticDrag {
     /// The drag on the body.
     pub fn wrench(&self, body: &BodyView) -> Wrench {
         let v = body.v - self.wind;
-        Wrench {
-            force: v * (-self.linear * v.length()),
-            torque: body.w * (-self.angular * body.w.length()),
-        }
+        Wrench { force: v * (-self.linear * v.length()), torque: body.w * (-self.angular * body.w.length()) }
     }
     pub(super) fn validate(&self) -> Result<(), Error> {
         at_least("linear", self.linear, 0.0, "N·s²/m²")?;

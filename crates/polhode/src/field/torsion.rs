@@ -38,20 +38,20 @@ impl Field {
 
 impl TorsionSpring {
     /// The rotation vector from where b is to where it would be at rest, world axes \[rad\].
-    fn to_rest(&self, a: Option<&BodyView>, b: &BodyView) -> Vec3 {
+    fn turn_to_rest(&self, a: Option<&BodyView>, b: &BodyView) -> Vec3 {
         let rot_a = a.map_or(Quat::IDENTITY, |a| a.pose().rot);
         (rot_a * self.rest * b.pose().rot.conjugate()).to_rotation_vector()
     }
     /// The wrenches on `a` and `b`: pure torques.
     pub fn wrenches(&self, a: Option<&BodyView>, b: &BodyView) -> (Wrench, Wrench) {
         let w = b.w - a.map_or(Vec3::ZERO, |a| a.w);
-        let torque = self.to_rest(a, b) * self.stiffness - w * self.damping;
+        let torque = self.turn_to_rest(a, b) * self.stiffness - w * self.damping;
         let on_b = Wrench { force: Vec3::ZERO, torque };
         (on_b.opposite(), on_b)
     }
     /// ½ k |u|² \[J\].
     pub fn potential(&self, a: Option<&BodyView>, b: &BodyView) -> f64 {
-        0.5 * self.stiffness * self.to_rest(a, b).length_squared()
+        0.5 * self.stiffness * self.turn_to_rest(a, b).length_squared()
     }
     pub(super) fn validate(&self) -> Result<(), Error> {
         at_least("stiffness", self.stiffness, 0.0, "N·m/rad")?;

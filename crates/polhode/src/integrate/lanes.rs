@@ -76,11 +76,7 @@ fn wide<S: Simd>(simd: S, order: Order, rot: &mut [Quat], l: &[Vec3], k: &[Vec3]
     let whole = rot.len() / n * n;
     let h_wide = Wide::splat(simd, h);
     let gather = |v: &[Vec3]| {
-        Vec3::new(
-            Wide::from_fn(simd, |i| v[i].x),
-            Wide::from_fn(simd, |i| v[i].y),
-            Wide::from_fn(simd, |i| v[i].z),
-        )
+        Vec3::new(Wide::from_fn(simd, |i| v[i].x), Wide::from_fn(simd, |i| v[i].y), Wide::from_fn(simd, |i| v[i].z))
     };
     for first in (0..whole).step_by(n) {
         let range = first..first + n;

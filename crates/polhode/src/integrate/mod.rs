@@ -132,14 +132,22 @@ const NAMES: [(&str, &str, Integrator); 21] = [
     ("pdmv8", "the same with a rotation of order 8", pdmv(Order::Eight)),
     ("pdmv10", "the same with a rotation of order 10", pdmv(Order::Ten)),
     ("dmv", "the same with the plain Moser-Veselov rotation, order 2", pdmv(Order::Two)),
-    ("implicit-midpoint", "velocity Verlet with the implicit midpoint rotation", Integrator::verlet(Drift::ImplicitMidpoint)),
+    (
+        "implicit-midpoint",
+        "velocity Verlet with the implicit midpoint rotation",
+        Integrator::verlet(Drift::ImplicitMidpoint),
+    ),
     ("splitting", "velocity Verlet with rotations about the axes 1-2-3-2-1", Integrator::verlet(Drift::Splitting)),
     ("symmetric-top", "velocity Verlet with the symmetric-top splitting", Integrator::verlet(Drift::SymmetricTop)),
     ("exact", "velocity Verlet with the exact free rotation (Jacobi functions)", Integrator::verlet(Drift::Exact)),
     ("verlet", "velocity Verlet with the rotation exp(h w)", Integrator::verlet(Drift::Exponential)),
     ("symplectic-euler", "kick, then drift: order 1", first_order(Kick::Symplectic)),
     ("kick-explicit", "drift, then kick with the old forces: order 1", first_order(Kick::Explicit)),
-    ("explicit-euler", "all rates from the start of the step, rotation exp(h w): order 1", Integrator::Coupled(Coupled::ExplicitEuler)),
+    (
+        "explicit-euler",
+        "all rates from the start of the step, rotation exp(h w): order 1",
+        Integrator::Coupled(Coupled::ExplicitEuler),
+    ),
     ("slides", "explicit Euler on the matrix R, as the lecture prints it", slides(false)),
     ("slides-gram-schmidt", "the same with Gram-Schmidt after each step", slides(true)),
     ("buss", "Buss's augmented second-order method", Integrator::Coupled(Coupled::Buss)),
@@ -195,13 +203,18 @@ impl FromStr for Integrator {
         let Some(prefix) = composition else { return Ok(scheme) };
         let Some(composition) = Composition::ALL.into_iter().find(|c| c.name() == prefix) else {
             let all: Vec<_> = Composition::ALL.iter().map(|c| c.name()).collect();
-            return Err(Error::new("integrator", format!("the composition `{prefix}` is not one of {}", all.join(", "))));
+            return Err(Error::new(
+                "integrator",
+                format!("the composition `{prefix}` is not one of {}", all.join(", ")),
+            ));
         };
         match scheme {
             Self::Split { drift, kick: Kick::Verlet, .. } if drift != Drift::Exponential => {
                 Ok(Self::composed(composition, drift))
             }
-            _ => Err(Error::new("integrator", format!("`{name}` is not symmetric, so {prefix} gains no order with it"))),
+            _ => {
+                Err(Error::new("integrator", format!("`{name}` is not symmetric, so {prefix} gains no order with it")))
+            }
         }
     }
 }
@@ -215,7 +228,7 @@ impl fmt::Display for Integrator {
                 }
                 Self::Split { drift, kick, composition: Composition::Single }
             }
-            other => other,
+            Self::Coupled(_) => *self,
         };
         match NAMES.iter().find(|(.., scheme)| *scheme == plain) {
             Some((name, ..)) => f.write_str(name),

@@ -128,9 +128,7 @@ fn preprocessing<T: Lane>(order: Order, inv: &Invariants<T>, h: T) -> (T, T) {
     let (ee, em, mm) = (e * e, e * m, m * m);
     let s5 = c(1.0 / 60.0) * (c(2.0) * pp - q) * ee - c(1.0 / 30.0) * (pq - c(4.0) * r) * em
         + c(1.0 / 30.0) * (qq - c(3.0) * pr) * mm;
-    let d5 = c(1.0 / 60.0) * (c(8.0) * pr - qq) * em
-        - c(1.0 / 60.0) * (pq + c(6.0) * r) * ee
-        - c(1.0 / 60.0) * qr * mm;
+    let d5 = c(1.0 / 60.0) * (c(8.0) * pr - qq) * em - c(1.0 / 60.0) * (pq + c(6.0) * r) * ee - c(1.0 / 60.0) * qr * mm;
     if order == Order::Six {
         return (h2 * (s3 + h2 * s5), h2 * (d3 + h2 * d5));
     }
@@ -168,9 +166,7 @@ fn ninth<T: Lane>(inv: &Invariants<T>, h: T) -> (T, T) {
     let (p2, q2, r2) = (p * p, q * q, r * r);
     let (p3, q3) = (p2 * p, q2 * q);
     let (e2, m2) = (e * e, m * m);
-    let s = c(1.0 / 45360.0)
-        * (c(2.0) * p2 * p2 - c(3.0) * p2 * q - c(486.0) * p * r + c(153.0) * q2)
-        * (e2 * e2)
+    let s = c(1.0 / 45360.0) * (c(2.0) * p2 * p2 - c(3.0) * p2 * q - c(486.0) * p * r + c(153.0) * q2) * (e2 * e2)
         - c(1.0 / 11340.0) * (p3 * q - c(276.0) * p2 * r + c(66.0) * p * q2 + c(207.0) * q * r) * (e2 * e * m)
         - c(1.0 / 7560.0)
             * (c(102.0) * p3 * r - c(26.0) * p2 * q2 - c(30.0) * p * q * r - c(3.0) * q3 - c(318.0) * r2)
@@ -181,18 +177,14 @@ fn ninth<T: Lane>(inv: &Invariants<T>, h: T) -> (T, T) {
         + c(1.0 / 45360.0)
             * (c(378.0) * p2 * r2 - c(342.0) * p * q2 * r + c(62.0) * q2 * q2 + c(291.0) * q * r2)
             * (m2 * m2);
-    let d = c(-1.0 / 45360.0)
-        * (p3 * q + c(126.0) * p2 * r + c(6.0) * p * q2 - c(459.0) * q * r)
-        * (e2 * e2)
+    let d = c(-1.0 / 45360.0) * (p3 * q + c(126.0) * p2 * r + c(6.0) * p * q2 - c(459.0) * q * r) * (e2 * e2)
         + c(1.0 / 22680.0)
             * (c(64.0) * p3 * r - c(15.0) * p2 * q2 - c(276.0) * p * q * r + c(97.0) * q3 - c(648.0) * r2)
             * (e2 * e * m)
         + c(1.0 / 7560.0)
             * (c(19.0) * p2 * q * r - c(5.0) * p * q3 + c(356.0) * p * r2 - c(133.0) * q2 * r)
             * (e2 * m2)
-        - c(1.0 / 45360.0)
-            * (c(864.0) * p2 * r2 - c(222.0) * p * q2 * r + q2 * q2 - c(684.0) * q * r2)
-            * (e * m2 * m)
+        - c(1.0 / 45360.0) * (c(864.0) * p2 * r2 - c(222.0) * p * q2 * r + q2 * q2 - c(684.0) * q * r2) * (e * m2 * m)
         + c(1.0 / 45360.0) * r * (c(243.0) * p * q * r - c(61.0) * q3 - c(610.0) * r2) * (m2 * m2);
     (s, d)
 }
@@ -222,7 +214,7 @@ fn cayley_vector<T: Lane>(y: Vec3<T>, k: Vec3<T>, h: T) -> Vec3<T> {
         let [c0, c1, c2] = jacobian.cols;
         let (r12, r20, r01) = (c1.cross(c2), c2.cross(c0), c0.cross(c1));
         let inverse_det = one / c0.dot(r12);
-        a = a - Vec3::new(r12.dot(residual), r20.dot(residual), r01.dot(residual)) * inverse_det;
+        a -= Vec3::new(r12.dot(residual), r20.dot(residual), r01.dot(residual)) * inverse_det;
     }
     a.scale(k)
 }

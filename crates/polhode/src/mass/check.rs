@@ -29,17 +29,17 @@ pub(crate) fn positive(path: &str, value: f64, unit: &str) -> Result<f64, Error>
     Err(Error::new(path, format!("must be positive and finite, is {} {unit}", show(value))))
 }
 
-/// Mass per volume, if it is positive and finite [kg/m³].
+/// Mass per volume, if it is positive and finite \[kg/m³\].
 pub(super) fn density(value: f64) -> Result<f64, Error> {
     positive("density", value, "kg/m³")
 }
 
-/// Mass per area of a lamina, if it is positive and finite [kg/m²].
+/// Mass per area of a lamina, if it is positive and finite \[kg/m²\].
 pub(super) fn surface_density(value: f64) -> Result<f64, Error> {
     positive("density", value, "kg/m²")
 }
 
-/// The components of `size` if all are positive and finite [m]; the path says which is not: `size[1]`.
+/// The components of `size` if all are positive and finite \[m\]; the path says which is not: `size[1]`.
 pub(crate) fn positive_components<const N: usize>(path: &str, size: [f64; N]) -> Result<[f64; N], Error> {
     for (i, value) in size.into_iter().enumerate() {
         positive(&format!("{path}[{i}]"), value, "m")?;
@@ -47,7 +47,7 @@ pub(crate) fn positive_components<const N: usize>(path: &str, size: [f64; N]) ->
     Ok(size)
 }
 
-/// Major and minor radius of a torus that does not overlap itself [m].
+/// Major and minor radius of a torus that does not overlap itself \[m\].
 pub(super) fn torus(major: f64, minor: f64) -> Result<(f64, f64), Error> {
     let (major, minor) = (positive("major", major, "m")?, positive("minor", minor, "m")?);
     if minor <= major {
@@ -57,7 +57,7 @@ pub(super) fn torus(major: f64, minor: f64) -> Result<(f64, f64), Error> {
     Err(Error::new("minor", message))
 }
 
-/// Inner and outer radius of a ring [m].
+/// Inner and outer radius of a ring \[m\].
 pub(super) fn ring(inner: f64, outer: f64) -> Result<(f64, f64), Error> {
     let (inner, outer) = (positive("inner", inner, "m")?, positive("outer", outer, "m")?);
     if inner < outer {

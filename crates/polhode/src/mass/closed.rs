@@ -1,6 +1,7 @@
 //! Whether a triangle mesh is the surface of a body: closed, oriented outward, enclosing a volume.
 
 use super::check::{finite, show};
+use super::simplex::{greatest, least};
 use crate::error::Error;
 use crate::math::Vec3;
 
@@ -117,8 +118,7 @@ impl Piece {
         self.volume += a.dot(b.cross(c)) / 6.0;
         self.area += 0.5 * (b - a).cross(c - a).length();
         for p in corners {
-            self.low = Vec3::new(self.low.x.min(p.x), self.low.y.min(p.y), self.low.z.min(p.z));
-            self.high = Vec3::new(self.high.x.max(p.x), self.high.y.max(p.y), self.high.z.max(p.z));
+            (self.low, self.high) = (least(self.low, p), greatest(self.high, p));
         }
     }
     /// Whether `cavity` can be a hollow within this piece. The boxes decide: an honest cavity always passes, and a piece

@@ -19,6 +19,7 @@
 //! little as for a sphere. In y = ln s the integrand is analytic for |Im y| < π/2 and decays exponentially both ways, and
 //! there the trapezoidal rule converges as exp(−π²/h) (Trefethen & Weideman 2014, theorem 5.1).
 
+use crate::math::Lane;
 use core::f64::consts::PI;
 
 /// Step in ln s: exp(−π²/h) = 7e-18.
@@ -27,10 +28,10 @@ const STEP: f64 = 0.25;
 const BELOW: f64 = 40.0;
 const ABOVE: f64 = 11.0;
 
-/// The area [m²] and the mean squares of the three coordinates over it [m²], both to rounding.
+/// The area \[m²\] and the mean squares of the three coordinates over it \[m²\], both to rounding.
 pub(super) fn area_and_mean_squares(semi_axes: [f64; 3]) -> (f64, [f64; 3]) {
-    let shortest = semi_axes.into_iter().fold(f64::INFINITY, f64::min);
-    let longest = semi_axes.into_iter().fold(0.0, f64::max);
+    let shortest = semi_axes.into_iter().fold(f64::INFINITY, Lane::least);
+    let longest = semi_axes.into_iter().fold(0.0, Lane::greatest);
     // In units of the longest semi-axis nothing overflows.
     let axes = semi_axes.map(|a| a / longest);
     let p = axes.map(|a| 1.0 / (a * a));

@@ -10,7 +10,7 @@ use super::{Moments, check};
 use crate::error::Error;
 use crate::math::Vec3;
 
-/// The interior of a closed mesh, filled at `density` [kg/m³] (Mirtich 1996; Eberly, *Game Physics*).
+/// The interior of a closed mesh, filled at `density` \[kg/m³\] (Mirtich 1996; Eberly, *Game Physics*).
 ///
 /// Each triangle spans a tetrahedron of signed volume a·(b×c)/6 with the middle of the mesh; their integrals are sums of
 /// products of corners and exact for the polyhedron. Rounding costs digits in proportion to the size of the mesh, not to
@@ -32,7 +32,7 @@ pub fn solid(positions: &[Vec3], triangles: &[[u32; 3]], density: f64) -> Result
     Ok(sum.moments(rho, origin))
 }
 
-/// The surface of a closed mesh as a thin shell, with mass = `density` [kg/m³] · `thickness` [m] · area.
+/// The surface of a closed mesh as a thin shell, with mass = `density` \[kg/m³\] · `thickness` \[m\] · area.
 ///
 /// # Errors
 /// As [`solid`]; also if the thickness is not positive and finite.

@@ -14,11 +14,11 @@ use core::ops::{Add, Sub};
 /// The second moment is held about the centre and not about the origin, so that no digits are lost far from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moments {
-    /// Total mass M [kg].
+    /// Total mass M \[kg\].
     pub mass: f64,
-    /// Centre of mass c, in the axes and from the origin of the frame of the parts [m].
+    /// Centre of mass c, in the axes and from the origin of the frame of the parts \[m\].
     pub center: Vec3,
-    /// Second moment C about the centre, symmetric, same axes [kg·m²].
+    /// Second moment C about the centre, symmetric, same axes \[kg·m²\].
     pub second: Mat3,
 }
 
@@ -26,19 +26,19 @@ impl Moments {
     /// No mass.
     pub const ZERO: Self = Self { mass: 0.0, center: Vec3::ZERO, second: Mat3::ZERO };
 
-    /// From the mass and the mean squares of the three coordinates from the centre [m²]; the mean products are zero.
+    /// From the mass and the mean squares of the three coordinates from the centre \[m²\]; the mean products are zero.
     pub(super) fn from_mean_squares(mass: f64, center: Vec3, mean_squares: Vec3) -> Self {
         Self { mass, center, second: Mat3::diagonal(mean_squares * mass) }
     }
-    /// J = tr(C) 1 − C, the inertia about the centre of mass [kg·m²]; singular for a point or a rod.
+    /// J = tr(C) 1 − C, the inertia about the centre of mass \[kg·m²\]; singular for a point or a rod.
     pub fn inertia(&self) -> Mat3 {
         tensor::inertia_of(&self.second)
     }
-    /// The inertia about `point`, by the parallel-axis theorem [kg·m²].
+    /// The inertia about `point`, by the parallel-axis theorem \[kg·m²\].
     pub fn inertia_about(&self, point: impl Into<Vec3>) -> Mat3 {
         self.inertia() + tensor::of_point(self.center - point.into()).scaled(self.mass)
     }
-    /// The same mass in a frame that sees it displaced by `by` [m].
+    /// The same mass in a frame that sees it displaced by `by` \[m\].
     pub fn translated(self, by: impl Into<Vec3>) -> Self {
         Self { center: self.center + by.into(), ..self }
     }

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::math::Vec3;
 use core::f64::consts::PI;
 
-/// Mass per length [kg/m].
+/// Mass per length \[kg/m\].
 fn per_length(thickness: f64, density: f64) -> Result<f64, Error> {
     Ok(check::positive("thickness", thickness, "m")? * check::surface_density(density)?)
 }

@@ -7,18 +7,18 @@ use crate::math::{Mat3, Vec3};
 /// A point mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle {
-    /// Position [m].
+    /// Position \[m\].
     pub position: Vec3,
-    /// Mass [kg], positive.
+    /// Mass \[kg\], positive.
     pub mass: f64,
 }
 
 impl Particle {
-    /// A particle of `mass` [kg] at `position` [m].
+    /// A particle of `mass` \[kg\] at `position` \[m\].
     pub fn new(position: impl Into<Vec3>, mass: f64) -> Self {
         Self { position: position.into(), mass }
     }
-    /// J = m(|r|² 1 − r rᵀ), its inertia about the origin [kg·m²]; the (z, z) element is m(x² + y²).
+    /// J = m(|r|² 1 − r rᵀ), its inertia about the origin \[kg·m²\]; the (z, z) element is m(x² + y²).
     pub fn inertia_about_origin(&self) -> Mat3 {
         tensor::of_point(self.position).scaled(self.mass)
     }

@@ -8,9 +8,9 @@ use core::ops::Add;
 /// A point mass in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle2 {
-    /// Position [m].
+    /// Position \[m\].
     pub position: [f64; 2],
-    /// Mass [kg], positive.
+    /// Mass \[kg\], positive.
     pub mass: f64,
 }
 
@@ -21,7 +21,7 @@ impl From<Particle2> for Particle {
     }
 }
 
-/// I = Σ m |r − c|², the inertia about the centre of mass by its definition [kg·m²].
+/// I = Σ m |r − c|², the inertia about the centre of mass by its definition \[kg·m²\].
 ///
 /// Not finite without particles.
 pub fn inertia_about_center(particles: &[Particle2]) -> f64 {
@@ -32,7 +32,7 @@ pub fn inertia_about_center(particles: &[Particle2]) -> f64 {
     })
 }
 
-/// I = Σ m |r|² − M |c|², the same by the parallel-axis theorem [kg·m²].
+/// I = Σ m |r|² − M |c|², the same by the parallel-axis theorem \[kg·m²\].
 ///
 /// What is subtracted is one number, M times the squared distance of the centre. Far from the origin both terms are large
 /// and digits are lost; prefer [`inertia_about_center`].
@@ -66,7 +66,7 @@ pub struct MassProperties2 {
 }
 
 impl MassProperties2 {
-    /// From mass [kg], centre of mass [m] and inertia about it [kg·m²].
+    /// From mass \[kg\], centre of mass \[m\] and inertia about it \[kg·m²\].
     ///
     /// # Errors
     /// Names the first of `mass` (positive and finite), `center` (finite) and `inertia` (positive and finite) that is not
@@ -89,28 +89,28 @@ impl MassProperties2 {
         Moments::from_particles(&in_space)?.planar()
     }
 
-    /// Mass [kg], positive.
+    /// Mass \[kg\], positive.
     pub fn mass(&self) -> f64 {
         self.mass
     }
-    /// Centre of mass [m].
+    /// Centre of mass \[m\].
     pub fn center(&self) -> [f64; 2] {
         self.center
     }
-    /// Inertia about the centre of mass [kg·m²], positive.
+    /// Inertia about the centre of mass \[kg·m²\], positive.
     pub fn inertia(&self) -> f64 {
         self.inertia
     }
-    /// Inertia about `point`, by the parallel-axis theorem [kg·m²].
+    /// Inertia about `point`, by the parallel-axis theorem \[kg·m²\].
     pub fn inertia_about(&self, point: [f64; 2]) -> f64 {
         let (x, y) = (self.center[0] - point[0], self.center[1] - point[1]);
         self.inertia + self.mass * (x * x + y * y)
     }
-    /// The same body in a frame that sees it displaced by the finite vector `by` [m].
+    /// The same body in a frame that sees it displaced by the finite vector `by` \[m\].
     pub fn translated(self, by: [f64; 2]) -> Self {
         Self { center: [self.center[0] + by[0], self.center[1] + by[1]], ..self }
     }
-    /// The same body turned about the origin by `angle` [rad], counter-clockwise; its inertia is the same number.
+    /// The same body turned about the origin by `angle` \[rad\], counter-clockwise; its inertia is the same number.
     pub fn rotated(self, angle: f64) -> Self {
         let (sin, cos) = libm::sincos(angle);
         let [x, y] = self.center;
@@ -124,7 +124,7 @@ impl MassProperties2 {
         let f = check::positive("factor", factor, "")?;
         Self::new(self.mass * f * f, self.center.map(|c| c * f), self.inertia * f * f * f * f)
     }
-    /// The same shape with another total mass [kg]: the inertia in proportion.
+    /// The same shape with another total mass \[kg\]: the inertia in proportion.
     ///
     /// # Errors
     /// If `mass` is not positive and finite, or takes the inertia out of the range of f64.

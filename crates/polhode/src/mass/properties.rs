@@ -19,7 +19,7 @@ pub struct MassProperties {
 /// Principal moments and axes: J = R diag(moments) Rᵀ with R the rotation `axes`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Principal {
-    /// The principal moments, in the order of the axes, not sorted [kg·m²].
+    /// The principal moments, in the order of the axes, not sorted \[kg·m²\].
     pub moments: Vec3,
     /// Takes principal components to components in the frame of the inertia.
     pub axes: Quat,
@@ -29,7 +29,7 @@ pub struct Principal {
 const NO_PRODUCT: f64 = 8.0 * f64::EPSILON;
 
 impl MassProperties {
-    /// From mass [kg], centre of mass [m] and inertia about it [kg·m²].
+    /// From mass \[kg\], centre of mass \[m\] and inertia about it \[kg·m²\].
     ///
     /// Asymmetry and a violated triangle inequality of up to 1e-9 of the largest moment count as rounding; the mean of the
     /// two elements is kept.
@@ -53,19 +53,19 @@ impl MassProperties {
         Moments::from_particles(particles)?.properties()
     }
 
-    /// Mass [kg], positive.
+    /// Mass \[kg\], positive.
     pub fn mass(&self) -> f64 {
         self.mass
     }
-    /// Centre of mass [m].
+    /// Centre of mass \[m\].
     pub fn center(&self) -> Vec3 {
         self.center
     }
-    /// Inertia about the centre of mass [kg·m²], symmetric to the bit.
+    /// Inertia about the centre of mass \[kg·m²\], symmetric to the bit.
     pub fn inertia(&self) -> Mat3 {
         self.inertia
     }
-    /// Inertia about `point`, by the parallel-axis theorem [kg·m²].
+    /// Inertia about `point`, by the parallel-axis theorem \[kg·m²\].
     pub fn inertia_about(&self, point: impl Into<Vec3>) -> Mat3 {
         self.inertia + tensor::of_point(self.center - point.into()).scaled(self.mass)
     }
@@ -87,7 +87,7 @@ impl MassProperties {
         Principal { moments: eigen.values, axes }
     }
 
-    /// The same body in a frame that sees it displaced by the finite vector `by` [m].
+    /// The same body in a frame that sees it displaced by the finite vector `by` \[m\].
     pub fn translated(self, by: impl Into<Vec3>) -> Self {
         Self { center: self.center + by.into(), ..self }
     }
@@ -107,7 +107,7 @@ impl MassProperties {
         let f = check::positive("factor", factor, "")?;
         Self::new(self.mass * f * f * f, self.center * f, self.inertia.scaled(f * f * f * f * f))
     }
-    /// The same shape with another total mass [kg]: the inertia in proportion.
+    /// The same shape with another total mass \[kg\]: the inertia in proportion.
     ///
     /// # Errors
     /// If `mass` is not positive and finite, or takes the inertia out of the range of f64.

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::math::Vec3;
 use core::f64::consts::PI;
 
-/// Mass per area [kg/m²].
+/// Mass per area \[kg/m²\].
 fn per_area(thickness: f64, density: f64) -> Result<f64, Error> {
     Ok(check::positive("thickness", thickness, "m")? * check::density(density)?)
 }

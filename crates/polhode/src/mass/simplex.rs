@@ -10,7 +10,7 @@
 //! Mirtich (1996) in the form of Eberly: S += d/24 (a + b + c), C += d/120 (s sᵀ + a aᵀ + b bᵀ + c cᵀ), d = a·(b×c).
 
 use super::Moments;
-use crate::math::{Mat3, Vec3};
+use crate::math::{Lane, Mat3, Vec3};
 
 /// Running integrals over simplices; measures are signed.
 #[derive(Clone, Copy, Debug)]
@@ -47,8 +47,17 @@ impl SimplexSum {
 pub(super) fn middle(points: impl IntoIterator<Item = Vec3>) -> Vec3 {
     let (mut low, mut high) = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
     for p in points {
-        low = Vec3::new(low.x.min(p.x), low.y.min(p.y), low.z.min(p.z));
-        high = Vec3::new(high.x.max(p.x), high.y.max(p.y), high.z.max(p.z));
+        (low, high) = (least(low, p), greatest(high, p));
     }
     low + (high - low) * 0.5
+}
+
+/// The lesser of each component.
+pub(super) fn least(a: Vec3, b: Vec3) -> Vec3 {
+    Vec3::new(a.x.least(b.x), a.y.least(b.y), a.z.least(b.z))
+}
+
+/// The greater of each component.
+pub(super) fn greatest(a: Vec3, b: Vec3) -> Vec3 {
+    Vec3::new(a.x.greatest(b.x), a.y.greatest(b.y), a.z.greatest(b.z))
 }

@@ -28,8 +28,8 @@ pub fn solve_rank_revealing(a: &mut [f64], b: &mut [f64], order: &mut [usize], t
         if k == 0 {
             first = best;
         }
-        // Also stops where everything is zero or not a number.
-        if !(best > tolerance * first) {
+        // Also stops where everything is zero; what is not a number never becomes the best.
+        if best == 0.0 || best <= tolerance * first {
             rank = k;
             break;
         }

@@ -84,7 +84,9 @@ pub fn carlson_rj(x: f64, y: f64, z: f64, p: f64) -> f64 {
     let e4 = (2.0 * a * b * c + e2 * q + 3.0 * q * q * q) * q;
     let e5 = a * b * c * q * q;
     let low = -3.0 * e2 / 14.0 + e3 / 6.0 + 9.0 * e2 * e2 / 88.0 - 3.0 * e4 / 22.0 - 9.0 * e2 * e3 / 52.0;
-    let high = 3.0 * e5 / 26.0 - e2 * e2 * e2 / 16.0 + 3.0 * e3 * e3 / 40.0 + 3.0 * e2 * e4 / 20.0
+    let high = 3.0 * e5 / 26.0 - e2 * e2 * e2 / 16.0
+        + 3.0 * e3 * e3 / 40.0
+        + 3.0 * e2 * e4 / 20.0
         + 45.0 * e2 * e2 * e3 / 272.0
         - 9.0 * (e3 * e4 + e2 * e5) / 68.0;
     quarter * (1.0 + (low + high)) / (mean * mean.sqrt()) + 6.0 * sum

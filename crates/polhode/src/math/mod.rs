@@ -12,8 +12,8 @@ mod pose;
 mod quat;
 mod vec3;
 
-pub use lane::{Lane, Wide};
 pub use eigen::SymmetricEigen;
+pub use lane::{Lane, Wide};
 pub use mat3::Mat3;
 pub use pose::Pose;
 pub use quat::Quat;

@@ -1,7 +1,7 @@
 //! The description of a body, as a user writes it.
 
 use crate::Error;
-use crate::mass::MassProperties;
+use crate::mass::{MassProperties, Moments};
 use crate::math::{Pose, Quat, Vec3};
 use crate::shape::Shape;
 use crate::store::Group;
@@ -109,7 +109,7 @@ impl Body {
     }
 
     /// Checks what does not depend on the world, and returns the mass properties of a dynamic body.
-    pub(super) fn validate(&self) -> Result<Option<MassProperties>, Error> {
+    pub(super) fn validate(&self, planar: bool) -> Result<Option<MassProperties>, Error> {
         let finite = |name: &str, v: Vec3| {
             if v.is_finite() {
                 return Ok(());
@@ -128,7 +128,7 @@ impl Body {
             }
         }
         let norm = self.pose.rot.norm_squared();
-        if !self.pose.rot.is_finite() || norm < 1e-12 || norm > 1e12 {
+        if !self.pose.rot.is_finite() || !(1e-12..=1e12).contains(&norm) {
             let q: [f64; 4] = self.pose.rot.into();
             return Err(Error::new("rotation", format!("the quaternion {q:?} has no direction")));
         }
@@ -150,10 +150,13 @@ impl Body {
         if self.shapes.is_empty() {
             return Err(Error::new("shapes", "a dynamic body needs a shape or mass properties"));
         }
-        let mut parts = Vec::with_capacity(self.shapes.len());
+        let mut sum = Moments::default();
         for (i, shape) in self.shapes.iter().enumerate() {
-            parts.push(shape.mass_properties().map_err(|e| e.inside(format!("shapes[{i}]")))?);
+            sum = sum + shape.moments().map_err(|e| e.inside(format!("shapes[{i}]")))?;
         }
-        MassProperties::sum(&parts).map(Some)
+        if planar {
+            return sum.planar()?.lamina().map(Some);
+        }
+        sum.properties().map(Some)
     }
 }

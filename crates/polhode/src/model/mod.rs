@@ -58,6 +58,19 @@ pub struct Model {
     next_pin: u64,
 }
 
+/// A new body, and what the other arrays have to do to follow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Added {
+    /// Its name.
+    pub id: BodyId,
+    /// Its slot.
+    pub slot: usize,
+    /// The moves that make room for it.
+    pub moves: [Option<Move>; 2],
+    /// Where it starts.
+    pub start: Start,
+}
+
 /// Where a new body starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
@@ -109,8 +122,8 @@ impl Model {
     ///
     /// # Errors
     /// What is wrong with the description, by path.
-    pub fn add(&mut self, body: Body) -> Result<(BodyId, usize, [Option<Move>; 2], Start), Error> {
-        let mass = body.validate()?;
+    pub fn add(&mut self, body: Body) -> Result<Added, Error> {
+        let mass = body.validate(self.planar)?;
         if self.planar {
             require_planar(&body)?;
         }
@@ -138,7 +151,7 @@ impl Model {
         insert_into(&mut self.point_masses, slot, moves, point_masses);
         insert_into(&mut self.shapes, slot, moves, body.shapes);
         insert_into(&mut self.names, slot, moves, body.name);
-        Ok((id, slot, moves, start))
+        Ok(Added { id, slot, moves, start })
     }
 
     /// Forgets a body; the fields and pins that name it go with it. Returns the moves and the removed pins' places.
@@ -291,7 +304,7 @@ fn point_masses(body: &Body, frame: Pose) -> Result<Vec<(f64, Vec3)>, Error> {
     if body.group != Group::Dynamic || body.mass.is_some() || body.shapes.len() < 2 {
         return Ok(Vec::new());
     }
-    let place = |shape: &Shape| shape.mass_properties().map(|m| (m.mass(), frame.inverse_point(m.center())));
+    let place = |shape: &Shape| shape.moments().map(|m| (m.mass, frame.inverse_point(m.center)));
     body.shapes.iter().map(place).collect()
 }
 

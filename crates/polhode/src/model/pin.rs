@@ -1,6 +1,6 @@
 //! The description of a pinned point.
 
-use crate::math::{Mat3, Quat, SymmetricEigen, Vec3};
+use crate::math::{Mat3, Quat, Vec3};
 use crate::store::BodyId;
 
 /// Holds one point of a body at one point of the world, and leaves it free to turn: a spherical bearing.
@@ -23,9 +23,9 @@ impl Pin {
     pub fn new(body: BodyId, point: Vec3, at: Vec3, mass: f64, inertia: Vec3) -> Self {
         // Parallel axes: J_c = J0 + m (|r|² 1 − r rᵀ).
         let steiner = Mat3::diagonal(Vec3::splat(point.length_squared())) - Mat3::outer(point, point);
-        let about = SymmetricEigen::of(&(Mat3::diagonal(inertia) + steiner.scaled(mass)));
+        let about = (Mat3::diagonal(inertia) + steiner.scaled(mass)).symmetric_eigen();
         let [x, y, z] = about.values.to_array().map(|i| 1.0 / i);
-        Self { body, point, at, inv_inertia: Vec3::new(x, y, z), axes: about.axes }
+        Self { body, point, at, inv_inertia: Vec3::new(x, y, z), axes: Quat::from_mat3(&about.vectors) }
     }
 }
 

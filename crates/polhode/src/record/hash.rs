@@ -1,5 +1,6 @@
 //! One number that tells whether two worlds are in the same state, to the last bit.
 
+use crate::math::Vec3;
 use crate::world::World;
 
 /// A 64-bit hash of x, rot, p, l of every body, of the pins' impulses and of the clock.
@@ -15,16 +16,19 @@ pub fn state_hash(world: &World) -> u64 {
     let bodies = &state.bodies;
     for slot in 0..world.len() {
         for v in [bodies.x[slot], bodies.p[slot], bodies.l[slot]] {
-            v.to_array().into_iter().for_each(|x| hash.number(x));
+            hash.numbers(v);
         }
-        <[f64; 4]>::from(bodies.rot[slot]).into_iter().for_each(|x| hash.number(x));
+        let rot = bodies.rot[slot];
+        hash.number(rot.w);
+        hash.numbers(rot.vector());
     }
-    for v in state.pin_opening.iter().chain(&state.pin_closing) {
-        v.to_array().into_iter().for_each(|x| hash.number(x));
+    for &v in state.pin_opening.iter().chain(&state.pin_closing) {
+        hash.numbers(v);
     }
     for column in state.matrix.iter().flat_map(|m| m.cols) {
-        column.to_array().into_iter().for_each(|x| hash.number(x));
+        hash.numbers(column);
     }
+    hash.number(state.pin_step);
     hash.finish()
 }
 
@@ -40,6 +44,11 @@ impl Default for Hash {
 impl Hash {
     fn number(&mut self, x: f64) {
         self.word(x.to_bits());
+    }
+    fn numbers(&mut self, v: Vec3) {
+        self.number(v.x);
+        self.number(v.y);
+        self.number(v.z);
     }
     fn word(&mut self, word: u64) {
         self.0 = (self.0 ^ word).wrapping_mul(0xff51_afd7_ed55_8ccd).rotate_left(29);

@@ -125,7 +125,7 @@ impl Pinned<'_> {
                 rows.b[3 * i..3 * i + 3].copy_from_slice(&g.to_array());
             }
             // Newton ends where rounding stops it: the gap no longer shrinks.
-            let stuck = !(worst < 0.75 * residual.gap);
+            let stuck = worst.is_nan() || worst >= 0.75 * residual.gap;
             (*self.x, *self.rot) = (x1, rot1);
             residual.gap = residual.gap.min(worst);
             if worst == 0.0 || stuck || residual.iterations == MAX_NEWTON_STEPS {

@@ -1,5 +1,6 @@
 //! Stage 7 for the schemes that evaluate all rates together.
 
+use super::Moving;
 use super::forces::forces;
 use super::scratch::Scratch;
 use crate::integrate::phase::{Phase, Rates};
@@ -8,19 +9,12 @@ use crate::integrate::{
 };
 use crate::math::Vec3;
 use crate::model::Model;
-use crate::par::Executor;
-use crate::state::{Inputs, State, angular_velocity};
+use crate::solve::pins::Residual;
+use crate::state::angular_velocity;
 
 /// Advances all bodies over `dt` \[s\], with the forces evaluated at the stages of the scheme.
-pub(super) fn advance(
-    model: &Model,
-    inputs: &Inputs,
-    state: &mut State,
-    scratch: &mut Scratch,
-    executor: &Executor,
-    scheme: Coupled,
-    dt: f64,
-) {
+pub(super) fn advance(moving: Moving, scheme: Coupled, dt: f64) -> Residual {
+    let Moving { model, inputs, state, scratch, executor } = moving;
     // The schemes' storage is lent to the scheme, the rest of the scratch to the law that it calls.
     let mut work = core::mem::take(&mut scratch.work);
     let (time, bodies) = (state.time, &mut state.bodies);
@@ -42,6 +36,7 @@ pub(super) fn advance(
         Coupled::CommutatorFree4 => commutator_free::step(&mut law, time, dt, bodies, &mut work),
     }
     scratch.work = work;
+    Residual::default()
 }
 
 /// v = p/m, ω = R J0⁻¹ Rᵀ L, and the wrench of each dynamic body.

@@ -53,7 +53,8 @@ pub(super) fn forces(
     executor.for_each(block, BLOCK, &|first, block: Block| {
         for (i, (force, torque)) in block.force.iter_mut().zip(block.torque).enumerate() {
             let slot = first + i;
-            let mut sum = Wrench { force: model.gravity * (model.mass[slot] * model.gravity_scale[slot]), torque: Vec3::ZERO };
+            let mut sum =
+                Wrench { force: model.gravity * (model.mass[slot] * model.gravity_scale[slot]), torque: Vec3::ZERO };
             sum += Wrench { force: inputs.force[slot], torque: inputs.torque[slot] };
             let body = view(model, bodies, time, slot);
             for field in &model.fields {

@@ -90,7 +90,5 @@ pub fn momentum(model: &Model, state: &State) -> Vec3 {
 
 /// Σ (x − o) × p + L over the dynamic bodies [kg·m²/s].
 pub fn angular_momentum(model: &Model, state: &State, about: Vec3) -> Vec3 {
-    (0..model.n_dynamic())
-        .map(|i| (state.bodies.x[i] - about).cross(state.bodies.p[i]) + state.bodies.l[i])
-        .sum()
+    (0..model.n_dynamic()).map(|i| (state.bodies.x[i] - about).cross(state.bodies.p[i]) + state.bodies.l[i]).sum()
 }

@@ -2,9 +2,9 @@
 //!
 //! [`step`] reads as the list of stages; an argument's `&` or `&mut` is all that a stage may touch.
 
-mod advance;
-mod coupled;
 mod forces;
+mod split;
+mod coupled;
 mod ledger;
 mod scratch;
 
@@ -46,27 +46,25 @@ pub fn step(
     dt: f64,
 ) -> Report {
     scratch.begin(model);
+    let moving = Moving { model, inputs, state, scratch, executor };
     let pins = match model.integrator {
-        Integrator::Split { drift, kick, composition } => {
-            advance::split(model, inputs, state, scratch, executor, (drift, kick, composition), dt)
-        }
-        Integrator::Coupled(scheme) => {
-            coupled::advance(model, inputs, state, scratch, executor, scheme, dt);
-            Residual::default()
-        }
+        Integrator::Split { drift, kick, composition } => split::advance(moving, drift, kick, composition, dt),
+        Integrator::Coupled(scheme) => coupled::advance(moving, scheme, dt),
     };
     rest(model, inputs, state, scratch, pins, dt)
 }
 
+/// What stage 7 may touch.
+struct Moving<'a> {
+    model: &'a Model,
+    inputs: &'a Inputs,
+    state: &'a mut State,
+    scratch: &'a mut Scratch,
+    executor: &'a Executor,
+}
+
 /// Stage 9: the clock, the user's forces, and the report.
-fn rest(
-    model: &Model,
-    inputs: &mut Inputs,
-    state: &mut State,
-    scratch: &Scratch,
-    pins: Residual,
-    dt: f64,
-) -> Report {
+fn rest(model: &Model, inputs: &mut Inputs, state: &mut State, scratch: &Scratch, pins: Residual, dt: f64) -> Report {
     // Neumaier's sum: a clock of a million steps is right to the last bit.
     let time = state.time + dt;
     state.time_error += if state.time.abs() >= dt.abs() { (state.time - time) + dt } else { (dt - time) + state.time };
@@ -89,8 +87,8 @@ pub fn settle_pins(model: &Model, state: &mut State, scratch: &mut Scratch, body
     let Some(slot) = model.slots.slot(body) else { return };
     let pins = model.pins_of(body);
     scratch.begin(model);
-    let mut pinned = advance::pinned(model, &mut state.bodies, slot);
-    let point = |i: usize| advance::point(model, pins.start + i);
+    let mut pinned = split::pinned(model, &mut state.bodies, slot);
+    let point = |i: usize| split::point(model, pins.start + i);
     let closing = &mut state.pin_closing[pins.clone()];
     pinned.close_velocities(point, closing, &mut scratch.rows);
     // That impulse was a collision, not a load: the next step must not start from it.

@@ -130,7 +130,8 @@ impl Slots {
         self.generation[id.index as usize] += 1;
         self.free.push(id.index);
         let mut moves = [None; 3];
-        for g in self.group_of(hole) as usize..3 {
+        let group = self.group_of(hole) as usize;
+        for g in group..3 {
             // The last of the group fills the hole; its old place is the hole of the next group.
             let last = self.ends[g] - 1;
             self.ends[g] -= 1;

@@ -10,7 +10,7 @@ use crate::field::Field;
 use crate::integrate::Integrator;
 use crate::integrate::lanes::Lanes;
 use crate::math::{Mat3, Vec3};
-use crate::model::{Body, Model};
+use crate::model::{Added, Body, Model};
 use crate::par::Executor;
 use crate::state::{Inputs, State};
 use crate::step::{self, Energy, Report, Scratch};
@@ -79,7 +79,7 @@ impl World {
     /// # Errors
     /// What is wrong with the description, with the path to it; the world is unchanged.
     pub fn add(&mut self, body: Body) -> Result<BodyId, Error> {
-        let (id, slot, moves, start) = self.model.add(body)?;
+        let Added { id, slot, moves, start } = self.model.add(body)?;
         let bodies = &mut self.state.bodies;
         insert_into(&mut bodies.x, slot, moves, start.x);
         insert_into(&mut bodies.rot, slot, moves, start.rot);
@@ -224,7 +224,10 @@ impl World {
     /// If the world has pinned points and the scheme does not close them.
     pub fn set_integrator(&mut self, integrator: Integrator) -> Result<(), Error> {
         if !self.model.pins.is_empty() && !integrator.closes_pins() {
-            return Err(Error::new("integrator", format!("{integrator} does not close pinned points: use a symmetric one")));
+            return Err(Error::new(
+                "integrator",
+                format!("{integrator} does not close pinned points: use a symmetric one"),
+            ));
         }
         self.model.integrator = integrator;
         self.state.matrix.clear();

@@ -39,7 +39,8 @@ impl World {
         }
         let at = self.body(body).point(point);
         let local = self.model.frame[slot].inverse_point(point);
-        let (id, place) = self.model.add_pin(Pin::new(body, local, at, self.model.mass[slot], self.model.inertia[slot]));
+        let (id, place) =
+            self.model.add_pin(Pin::new(body, local, at, self.model.mass[slot], self.model.inertia[slot]));
         self.state.pin_opening.insert(place, Vec3::ZERO);
         self.state.pin_closing.insert(place, Vec3::ZERO);
         step::settle_pins(&self.model, &mut self.state, &mut self.scratch, body);

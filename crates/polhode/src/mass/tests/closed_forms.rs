@@ -1,6 +1,7 @@
 //! Every closed form against a mesh and against particles, with the slope of the difference.
 
 use super::surfaces::{self, Mesh};
+use crate::error::Error;
 use crate::mass::{Moments, Particle, lamina, mesh, outline, shell, solid};
 use crate::math::Vec3;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -276,7 +277,7 @@ fn a_lamina_in_space_has_the_sum_of_its_planar_moments() {
 
 #[test]
 fn a_refusal_names_the_dimension() {
-    let said = |m: Result<Moments, crate::Error>| m.unwrap_err().to_string();
+    let said = |m: Result<Moments, Error>| m.unwrap_err().to_string();
     assert_eq!(said(solid::sphere(-1.0, RHO)), "radius: must be positive and finite, is -1 m");
     assert_eq!(said(solid::sphere(1.0, 0.0)), "density: must be positive and finite, is 0 kg/m³");
     assert_eq!(said(solid::cuboid([1.0, 0.0, 1.0], RHO)), "size[1]: must be positive and finite, is 0 m");

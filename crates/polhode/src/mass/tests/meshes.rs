@@ -1,9 +1,10 @@
 //! Mesh integrals in closed form, far away, with cavities; and every refusal.
 
 use super::surfaces::{self, Mesh, cuboid, inside_out, together};
-use crate::Error;
-use crate::mass::{Moments, mesh};
+use crate::error::Error;
+use crate::mass::{MassProperties, Moments, mesh};
 use crate::math::{Mat3, Vec3};
+use proptest::prelude::*;
 
 fn solid((positions, triangles): &Mesh, density: f64) -> Result<Moments, Error> {
     mesh::solid(positions, triangles, density)
@@ -48,7 +49,9 @@ fn a_million_metres_away_no_digit_is_lost() {
     // Vertices are multiples of 2⁻²⁰ m, so that moving them by 2²⁰ m is exact; then nothing else may differ.
     let (mut near, triangles) = surfaces::ellipsoid([0.5, 0.9, 0.7], 8);
     let grid = libm::exp2(20.0);
-    near.iter_mut().for_each(|p| *p = Vec3::from(p.to_array().map(|x| libm::round(x * grid) / grid)));
+    for p in &mut near {
+        *p = Vec3::from(p.to_array().map(|x| libm::round(x * grid) / grid));
+    }
     let away = Vec3::new(grid, -grid, grid);
     let far: Vec<Vec3> = near.iter().map(|&p| p + away).collect();
     for (a, b) in [
@@ -170,5 +173,26 @@ fn the_normals_of_a_closed_surface_cancel() {
             })
             .sum();
         assert!(sum.max_abs() < triangles.len() as f64 * f64::EPSILON);
+    }
+}
+proptest! {
+    #[test]
+    fn no_mesh_panics(
+        positions in prop::collection::vec(prop::array::uniform3(any::<f64>()), 0..6),
+        triangles in prop::collection::vec(prop::array::uniform3(0..6_u32), 0..12),
+    ) {
+        let positions: Vec<Vec3> = positions.into_iter().map(Vec3::from).collect();
+        for m in [mesh::solid(&positions, &triangles, 1.0), mesh::shell(&positions, &triangles, 1.0, 1.0)] {
+            if let Ok(p) = m.and_then(|m| m.properties()) {
+                prop_assert!(p.mass() > 0.0 && p.principal().moments.is_finite());
+            }
+        }
+    }
+
+    #[test]
+    fn no_inertia_panics(mass in any::<f64>(), center in prop::array::uniform3(any::<f64>()), j in any::<[[f64; 3]; 3]>()) {
+        if let Ok(p) = MassProperties::new(mass, center, j) {
+            prop_assert!(p.principal().axes.is_finite());
+        }
     }
 }

@@ -81,6 +81,11 @@ fn neighbouring_numbers_are_still_told_apart() {
 
 proptest! {
     #[test]
+    fn no_polygon_panics(points in prop::collection::vec(any::<[f64; 2]>(), 0..8)) {
+        let _ = lamina::polygon(&points, 1.0).and_then(|m| m.properties());
+    }
+
+    #[test]
     fn a_star_shaped_polygon_is_a_fan_of_triangles(
         radii in prop::collection::vec(0.2..1.0_f64, 5..40),
         angle in -3.0..3.0_f64,

@@ -79,7 +79,9 @@ pub(super) fn ellipsoid(semi_axes: [f64; 3], n: u32) -> Mesh {
     profile.extend(quarter(1.0, 0.0, -FRAC_PI_2, n));
     profile.extend(quarter(1.0, 0.0, 0.0, n));
     let (mut positions, triangles) = revolved(&profile, 4 * n);
-    positions.iter_mut().for_each(|p| *p = p.scale(semi_axes.into()));
+    for p in &mut positions {
+        *p = p.scale(semi_axes.into());
+    }
     (positions, triangles)
 }
 

@@ -4,6 +4,7 @@
 //! the closing half. Uniform gravity is the same before and after a drift, so where nothing else pushes, the three go
 //! through the cache together.
 
+use super::Moving;
 use super::forces::forces;
 use super::scratch::Scratch;
 use crate::integrate::lanes;
@@ -91,7 +92,7 @@ impl<'a> Push<'a> {
 }
 
 /// x += h p/m and the free rotation, for the bodies from slot `first` on.
-fn drift(model: &Model, drift: Drift, first: usize, block: Block, h: f64) {
+fn drift(model: &Model, drift: Drift, first: usize, block: &mut Block, h: f64) {
     let range = first..first + block.len();
     for ((x, &p), &inv_mass) in block.x.iter_mut().zip(block.p.iter()).zip(&model.inv_mass[range.clone()]) {
         *x += p * (h * inv_mass);
@@ -108,16 +109,8 @@ fn drift(model: &Model, drift: Drift, first: usize, block: Block, h: f64) {
 }
 
 /// A split step: the composition's stages, one after the other.
-pub(super) fn split(
-    model: &Model,
-    inputs: &Inputs,
-    state: &mut State,
-    scratch: &mut Scratch,
-    executor: &Executor,
-    scheme: (Drift, Kick, Composition),
-    dt: f64,
-) -> Residual {
-    let (drift, kick, composition) = scheme;
+pub(super) fn advance(moving: Moving, drift: Drift, kick: Kick, composition: Composition, dt: f64) -> Residual {
+    let Moving { model, inputs, state, scratch, executor } = moving;
     let mut stage = Stage { model, inputs, state, scratch, executor, drift };
     let time = stage.state.time;
     stage.forces(time);
@@ -169,7 +162,7 @@ impl Stage<'_> {
     fn drift(&mut self, h: f64) {
         let model = self.model;
         let block = Block::of(&mut self.state.bodies, 0..model.n_dynamic());
-        self.executor.for_each(block, BLOCK, &|first, block: Block| drift(model, self.drift, first, block, h));
+        self.executor.for_each(block, BLOCK, &|first, mut block: Block| drift(model, self.drift, first, &mut block, h));
         self.prescribed(h);
     }
 
@@ -189,12 +182,11 @@ impl Stage<'_> {
         self.keep_pinned();
         let push = Push::new(model, self.scratch);
         let block = Block::of(&mut self.state.bodies, 0..model.n_dynamic());
-        self.executor.for_each(block, BLOCK, &|first, block: Block| {
+        self.executor.for_each(block, BLOCK, &|first, mut block: Block| {
             push.kick(first, block.p, block.l, 0.5 * h);
-            let Block { x, rot, p, l } = block;
-            drift(model, self.drift, first, Block { x, rot, p: &mut *p, l: &mut *l }, h);
+            drift(model, self.drift, first, &mut block, h);
             if fused {
-                push.kick(first, p, l, 0.5 * h);
+                push.kick(first, block.p, block.l, 0.5 * h);
             }
         });
         self.prescribed(h);
