@@ -3,4 +3,6 @@
 pub mod error;
 pub mod math;
 
+pub mod integrate;
+
 pub use error::Error;

@@ -1,0 +1,3 @@
+//! Tests by law: one binary for all of them.
+
+mod integrators;
