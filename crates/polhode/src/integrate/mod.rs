@@ -23,6 +23,8 @@ pub mod rk4;
 pub mod rkmk4;
 pub mod crouch_grossman;
 pub mod commutator_free;
+pub mod dormand_prince;
+pub mod phase_solver;
 
 pub mod composition;
 
@@ -100,6 +102,8 @@ pub enum Coupled {
     CrouchGrossman3,
     /// The commutator-free method: order 4.
     CommutatorFree4,
+    /// Adaptive Dormand–Prince 5(4), relative and absolute tolerance 1e-13 a step: the general reference.
+    DormandPrince,
 }
 
 /// How a world is advanced in time.
@@ -126,7 +130,7 @@ impl Default for Integrator {
 }
 
 /// Every name, what it means, and the scheme.
-const NAMES: [(&str, &str, Integrator); 21] = [
+const NAMES: [(&str, &str, Integrator); 22] = [
     ("pdmv6", "velocity Verlet with the preprocessed Moser-Veselov rotation of order 6 (default)", pdmv(Order::Six)),
     ("pdmv4", "the same with a rotation of order 4", pdmv(Order::Four)),
     ("pdmv8", "the same with a rotation of order 8", pdmv(Order::Eight)),
@@ -155,6 +159,11 @@ const NAMES: [(&str, &str, Integrator); 21] = [
     ("rk4", "classical Runge-Kutta on (x, rot, p, L), order 4", Integrator::Coupled(Coupled::Rk4)),
     ("rkmk4", "Runge-Kutta-Munthe-Kaas, order 4", Integrator::Coupled(Coupled::Rkmk4)),
     ("crouch-grossman3", "Crouch-Grossman, order 3", Integrator::Coupled(Coupled::CrouchGrossman3)),
+    (
+        "dormand-prince",
+        "adaptive Dormand-Prince 5(4), tolerance 1e-13: the general reference",
+        Integrator::Coupled(Coupled::DormandPrince),
+    ),
     ("commutator-free4", "commutator-free Lie group method, order 4", Integrator::Coupled(Coupled::CommutatorFree4)),
 ];
 

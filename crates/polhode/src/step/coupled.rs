@@ -3,7 +3,10 @@
 use super::Moving;
 use super::forces::forces;
 use super::scratch::Scratch;
-use crate::integrate::phase::{Phase, Rates};
+use crate::Error;
+use crate::integrate::dormand_prince::Settings;
+use crate::integrate::phase::{Law, Phase, Rates};
+use crate::integrate::phase_solver::PhaseSolver;
 use crate::integrate::{
     Coupled, buss, commutator_free, crouch_grossman, explicit_euler, explicit_matrix, lie_midpoint, rk4, rkmk4,
 };
@@ -18,6 +21,7 @@ pub(super) fn advance(moving: Moving, scheme: Coupled, dt: f64) -> Residual {
     // The schemes' storage is lent to the scheme, the rest of the scratch to the law that it calls.
     let mut work = core::mem::take(&mut scratch.work);
     let (time, bodies) = (state.time, &mut state.bodies);
+    let mut stalled = false;
     let mut law = |t: f64, y: &Phase, rates: &mut Rates| {
         forces(model, inputs, y, t, executor, scratch);
         self::rates(model, y, scratch, rates);
@@ -34,9 +38,19 @@ pub(super) fn advance(moving: Moving, scheme: Coupled, dt: f64) -> Residual {
         Coupled::Rkmk4 => rkmk4::step(&mut law, time, dt, bodies, &mut work),
         Coupled::CrouchGrossman3 => crouch_grossman::step(&mut law, time, dt, bodies, &mut work),
         Coupled::CommutatorFree4 => commutator_free::step(&mut law, time, dt, bodies, &mut work),
+        Coupled::DormandPrince => stalled = dormand_prince(&mut law, time, dt, bodies).is_err(),
     }
     scratch.work = work;
+    scratch.stalled = stalled;
     Residual::default()
+}
+
+/// As far as the adaptive method comes: where its step vanishes, the bodies stay at the last accepted one.
+fn dormand_prince(law: &mut Law<'_>, time: f64, dt: f64, bodies: &mut Phase) -> Result<(), Error> {
+    let mut solver = PhaseSolver::new(Settings::tolerance(1e-13), time, bodies)?;
+    let outcome = solver.advance(law, time + dt);
+    bodies.copy_from(solver.phase());
+    outcome
 }
 
 /// v = p/m, ω = R J0⁻¹ Rᵀ L, and the wrench of each dynamic body.

@@ -28,6 +28,8 @@ pub struct Report {
     pub bodies: usize,
     /// How far the pinned points were from closed, and the Newton steps that it took.
     pub pins: Residual,
+    /// Whether an adaptive integrator's step vanished before it came to the end: the bodies are where it came.
+    pub stalled: bool,
     /// Bodies on which a force was not finite: it was dropped, the others went on.
     pub quarantined: Vec<BodyId>,
     /// The energy after the step, where the world is audited.
@@ -77,6 +79,7 @@ fn rest(model: &Model, inputs: &mut Inputs, state: &mut State, scratch: &Scratch
         time: state.time + state.time_error,
         bodies: model.n_dynamic(),
         pins,
+        stalled: scratch.stalled,
         quarantined: scratch.quarantined.iter().map(|&slot| model.slots.ids()[slot]).collect(),
         energy: None,
     }

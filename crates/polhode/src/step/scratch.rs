@@ -28,6 +28,8 @@ pub struct Scratch {
     pub(super) p_half: Vec<Vec3>,
     /// The same for the angular momentum (n_dynamic).
     pub(super) l_half: Vec<Vec3>,
+    /// Whether an adaptive method gave up within this step. Stage `substep`.
+    pub(super) stalled: bool,
     /// Stages of the coupled schemes. Stage `substep`.
     pub(super) work: Work,
 }
@@ -36,6 +38,7 @@ impl Scratch {
     /// Makes room for a model, so that nothing after it allocates, and forgets the last step's reports.
     pub(super) fn begin(&mut self, model: &Model) {
         self.quarantined.clear();
+        self.stalled = false;
         let n = model.slots.len();
         for array in [&mut self.force, &mut self.torque, &mut self.p_half, &mut self.l_half] {
             array.resize(n, Vec3::splat(f64::NAN));
@@ -54,6 +57,7 @@ impl Scratch {
         self.points.push((f64::NAN, Vec3::splat(f64::NAN)));
         self.first_point.clear();
         self.quarantined.clear();
+        self.stalled = false;
         self.pinned.clear();
         self.rows.poison();
         self.work.poison();

@@ -1,3 +1,4 @@
-//! Tests that belong to no single module: laws across the engine, and the house it lives in.
+//! Tests by law: one binary for all of them.
 
 mod house;
+mod integrators;

@@ -415,7 +415,7 @@ mod control {
             (mass, "use crate::nowhere::x;"),
             (&["collide"], "use crate::integrate::pdmv;"),
             (&["math", "vec3"], "use crate::par::Executor;"),
-            (&["math", "vec3"], "use crate::Error;"),
+            (&["math", "vec3"], "use crate::store::BodyId;"),
             (&["attic"], "use crate::math::Vec3;"),
             (&[], "pub mod math { use crate::step::advance; }"),
             (&[], "pub mod math { use super::step::advance; }"),
