@@ -1,1 +1,13 @@
 //! Scenes for the polhode engine: TOML files, mesh files, recordings.
+//!
+//! A [`scene::SceneFile`] is a scene read from TOML, plain data with every problem of the file found and placed. A
+//! [`mesh::TriMesh`] is read from OBJ, STL, PLY or glTF. A [`recording`] is what a run leaves behind.
+
+mod decode;
+mod error;
+pub mod mesh;
+pub mod scene;
+
+pub use error::{Problem, SceneError};
+pub use mesh::TriMesh;
+pub use scene::{Scene, SceneFile, schema};

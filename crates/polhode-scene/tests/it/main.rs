@@ -1,0 +1,4 @@
+//! What the scene crate promises to its users.
+
+mod mesh;
+mod scene;
