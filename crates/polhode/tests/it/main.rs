@@ -2,3 +2,4 @@
 
 mod house;
 mod integrators;
+mod world;
