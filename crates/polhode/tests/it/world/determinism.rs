@@ -111,3 +111,13 @@ fn symmetric_steps_are_reversible() {
         assert!(end.rot[0].angle_to(start.rot[0]) < 1e-12, "{name}: {}", end.rot[0].angle_to(start.rot[0]));
     }
 }
+
+/// After its first step a world allocates nothing, whatever acts in it.
+#[test]
+fn a_step_allocates_nothing() {
+    for name in schemes() {
+        let mut world = busy_world(name);
+        world.step(DT);
+        assert_no_alloc::assert_no_alloc(|| (0..10).for_each(|_| drop(world.step(DT))));
+    }
+}
