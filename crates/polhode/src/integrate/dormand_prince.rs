@@ -62,16 +62,16 @@ impl Settings {
         Self { rtol: tolerance, atol: tolerance, ..Self::default() }
     }
     fn check(&self) -> Result<(), Error> {
-        // Negated comparisons: NaN is refused too.
         let positive = |name, value: f64| {
             if value > 0.0 { Ok(()) } else { Err(Error::new(name, format!("must be positive, is {value}"))) }
         };
         positive("rtol", self.rtol)?;
         positive("h_max", self.h_max)?;
-        if !(self.atol >= 0.0) {
-            return Err(Error::new("atol", format!("must not be negative, is {}", self.atol)));
+        if self.atol >= 0.0 {
+            Ok(())
+        } else {
+            Err(Error::new("atol", format!("must not be negative, is {}", self.atol)))
         }
-        Ok(())
     }
 }
 
@@ -176,7 +176,8 @@ impl DormandPrince {
         let floor = 16.0 * f64::EPSILON * self.t.abs().greatest(t_end.abs());
         let mut rejected = false;
         loop {
-            if !(self.h.abs() >= floor.least(left.abs())) {
+            let t_can_change = self.h.abs() >= floor.least(left.abs());
+            if !t_can_change {
                 let t = self.t;
                 return Err(Error::new(
                     "step",

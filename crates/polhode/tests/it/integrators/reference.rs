@@ -4,36 +4,41 @@ use polhode::math::{Quat, Vec3};
 use serde_json::Value;
 
 /// A free top: constants, start, and attitudes at times.
-pub struct FreeTop {
-    pub name: &'static str,
+pub(super) struct FreeTop {
+    pub(super) name: &'static str,
     /// Principal moments [kg·m²].
-    pub inertia: Vec3,
+    pub(super) inertia: Vec3,
     /// Angular momentum [kg·m²/s]; all start from the identity, so it has these components in the world and in the body.
-    pub l: Vec3,
+    pub(super) l: Vec3,
     /// Time [s], attitude, angular velocity in body axes [rad/s].
-    pub rows: Vec<(f64, Quat, Vec3)>,
+    pub(super) rows: Vec<(f64, Quat, Vec3)>,
 }
 
 impl FreeTop {
     /// The largest |ω| along the trajectory [rad/s].
-    pub fn fastest(&self) -> f64 {
+    pub(super) fn fastest(&self) -> f64 {
         self.rows.iter().map(|(_, _, w)| w.length()).fold(0.0, f64::max)
     }
     /// The attitude at `t`, which must be a stored time.
-    pub fn attitude_at(&self, t: f64) -> Quat {
+    pub(super) fn attitude_at(&self, t: f64) -> Quat {
         self.rows.iter().find(|row| row.0 == t).expect("a stored time").1
     }
 }
 
-pub fn numbers(value: &Value) -> Vec<f64> {
+pub(super) fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().expect("an array").iter().map(|v| v.as_f64().expect("a number")).collect()
 }
 
-pub fn vec3(v: &[f64]) -> Vec3 {
+/// Component by component: J0⁻¹ y.
+pub(super) fn over(y: Vec3, inertia: Vec3) -> Vec3 {
+    Vec3::new(y.x / inertia.x, y.y / inertia.y, y.z / inertia.z)
+}
+
+pub(super) fn vec3(v: &[f64]) -> Vec3 {
     Vec3::new(v[0], v[1], v[2])
 }
 
-pub fn quat(v: &[f64]) -> Quat {
+pub(super) fn quat(v: &[f64]) -> Quat {
     Quat::new(v[0], v[1], v[2], v[3])
 }
 
@@ -46,16 +51,21 @@ fn free_top(name: &'static str, text: &str) -> FreeTop {
 }
 
 /// A top with three different moments, of no special motion.
-pub fn hv() -> FreeTop {
+pub(super) fn hv() -> FreeTop {
     free_top("free_top_HV_060810", include_str!("../../reference/free_top_HV_060810.json"))
 }
 
+/// A water molecule: strongly asymmetric.
+pub(super) fn water() -> FreeTop {
+    free_top("free_top_water_0345_0653_1", include_str!("../../reference/free_top_water_0345_0653_1.json"))
+}
+
 /// All four free tops.
-pub fn free_tops() -> [FreeTop; 4] {
+pub(super) fn free_tops() -> [FreeTop; 4] {
     [
         hv(),
         free_top("free_top_dzhanibekov_123", include_str!("../../reference/free_top_dzhanibekov_123.json")),
-        free_top("free_top_water_0345_0653_1", include_str!("../../reference/free_top_water_0345_0653_1.json")),
+        water(),
         free_top("free_box_gazebo_complex", include_str!("../../reference/free_box_gazebo_complex.json")),
     ]
 }
