@@ -6,7 +6,7 @@ use crate::math::{Lane, Mat3, Quat, Vec3};
 
 /// rot · δ(e) for a Gibbs vector `e` in body axes.
 #[inline(always)]
-pub fn compose<T: Lane>(rot: Quat<T>, e: Vec3<T>) -> Quat<T> {
+pub(super) fn compose<T: Lane>(rot: Quat<T>, e: Vec3<T>) -> Quat<T> {
     let one = e.x.like(1.0);
     let w = one / (one + e.length_squared()).sqrt();
     (rot * Quat::from_parts(w, e * w)).renormalized()
@@ -14,7 +14,7 @@ pub fn compose<T: Lane>(rot: Quat<T>, e: Vec3<T>) -> Quat<T> {
 
 /// The solution of m·s = r by Cramer's rule, with one division.
 #[inline(always)]
-pub fn solve<T: Lane>(m: Mat3<T>, r: Vec3<T>) -> Vec3<T> {
+pub(super) fn solve<T: Lane>(m: Mat3<T>, r: Vec3<T>) -> Vec3<T> {
     let [a, b, c] = m.cols;
     let bc = b.cross(c);
     let scale = a.x.like(1.0) / a.dot(bc);

@@ -60,6 +60,16 @@ impl Composition {
             Self::KahanLi8 => &KAHAN_LI8,
         }
     }
+    /// The name in a scene or on a command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Single => "single",
+            Self::Yoshida4 => "yoshida4",
+            Self::Suzuki4 => "suzuki4",
+            Self::KahanLi6 => "kahan-li6",
+            Self::KahanLi8 => "kahan-li8",
+        }
+    }
     /// The order of the composition of a symmetric scheme of order 2.
     pub const fn order(self) -> usize {
         match self {

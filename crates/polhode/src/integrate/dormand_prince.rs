@@ -67,11 +67,10 @@ impl Settings {
         };
         positive("rtol", self.rtol)?;
         positive("h_max", self.h_max)?;
-        if self.atol >= 0.0 {
-            Ok(())
-        } else {
-            Err(Error::new("atol", format!("must not be negative, is {}", self.atol)))
+        if self.atol.is_nan() || self.atol < 0.0 {
+            return Err(Error::new("atol", format!("must not be negative, is {}", self.atol)));
         }
+        Ok(())
     }
 }
 
@@ -176,8 +175,7 @@ impl DormandPrince {
         let floor = 16.0 * f64::EPSILON * self.t.abs().greatest(t_end.abs());
         let mut rejected = false;
         loop {
-            let t_can_change = self.h.abs() >= floor.least(left.abs());
-            if !t_can_change {
+            if self.h.is_nan() || self.h.abs() < floor.least(left.abs()) {
                 let t = self.t;
                 return Err(Error::new(
                     "step",

@@ -114,6 +114,22 @@ impl Work {
     pub fn new() -> Self {
         Self::default()
     }
+    /// Overwrites everything with what no computation survives.
+    pub fn poison(&mut self) {
+        let nan = Vec3::splat(f64::NAN);
+        let Self { at, k, u, dq } = self;
+        for array in [&mut at.x, &mut at.p, &mut at.l].into_iter().chain(u) {
+            array.fill(nan);
+        }
+        for rates in k {
+            for array in [&mut rates.v, &mut rates.w, &mut rates.force, &mut rates.torque] {
+                array.fill(nan);
+            }
+        }
+        for array in dq.iter_mut().chain([&mut at.rot]) {
+            array.fill(Quat::new(f64::NAN, f64::NAN, f64::NAN, f64::NAN));
+        }
+    }
     /// Room for n bodies, `at` at the start of the step.
     pub(super) fn prepare(&mut self, start: &Phase) -> &mut Self {
         let n = start.n_bodies();

@@ -1,12 +1,12 @@
 //! A number that may be several numbers: the type every law is written in.
 //!
 //! A law is written once, generic over [`Lane`]. With `f64` it is the textbook's formula for one body; with
-//! `f64x8<S>` it is the same formula for eight bodies at once. Every operation here is one IEEE operation a lane, so the
+//! [`Wide`] it is the same formula for as many bodies as fit in a register. Every operation here is one IEEE operation a lane, so the
 //! bits do not depend on the width: no fused multiply-add, no reciprocal estimate, no horizontal sum.
 
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
-use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f64x2, f64x4, f64x8};
+use fearless_simd::{ExtractToken, Select, Simd, SimdBase, SimdFloat, SimdMask};
 
 /// A scalar or a vector of scalars that go through the same arithmetic.
 ///
@@ -24,6 +24,8 @@ pub trait Lane:
     fn sqrt(self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
+    /// The least integer not below self.
+    fn ceil(self) -> Self;
     /// Lane-wise `self < other`.
     fn lt(self, other: Self) -> Self::Mask;
     /// Lane-wise choice: `if_true` where the mask holds.
@@ -58,6 +60,10 @@ impl Lane for f64 {
         Self::abs(self)
     }
     #[inline(always)]
+    fn ceil(self) -> Self {
+        Self::ceil(self)
+    }
+    #[inline(always)]
     fn lt(self, other: Self) -> bool {
         self < other
     }
@@ -71,35 +77,83 @@ impl Lane for f64 {
     }
 }
 
-macro_rules! wide_lane {
-    ($($wide:ident),*) => {$(
-        impl<S: Simd> Lane for $wide<S> {
-            type Mask = <Self as SimdBase<S>>::Mask;
+/// As many f64 as the instruction set `S` holds in one register: 2, 4 or 8.
+#[derive(Clone, Copy, Debug)]
+pub struct Wide<S: Simd>(S::f64s);
+
+impl<S: Simd> Wide<S> {
+    /// The number of lanes.
+    pub const LEN: usize = <S::f64s as SimdBase<S>>::LEN;
+
+    /// `value` in every lane.
+    #[inline(always)]
+    pub fn splat(simd: S, value: f64) -> Self {
+        Self(S::f64s::splat(simd, value))
+    }
+    /// `f(i)` in lane `i`.
+    #[inline(always)]
+    pub fn from_fn(simd: S, f: impl FnMut(usize) -> f64) -> Self {
+        Self(S::f64s::from_fn(simd, f))
+    }
+    /// The number in lane `i`.
+    ///
+    /// # Panics
+    /// If `i` is not below [`Wide::LEN`].
+    #[inline(always)]
+    pub fn lane(&self, i: usize) -> f64 {
+        self.0[i]
+    }
+}
+
+macro_rules! wide_operator {
+    ($($Trait:ident $function:ident),*) => {$(
+        impl<S: Simd> $Trait for Wide<S> {
+            type Output = Self;
             #[inline(always)]
-            fn like(self, value: f64) -> Self {
-                Self::splat(self.simd, value)
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                SimdFloat::sqrt(self)
-            }
-            #[inline(always)]
-            fn abs(self) -> Self {
-                SimdBase::abs(self)
-            }
-            #[inline(always)]
-            fn lt(self, other: Self) -> Self::Mask {
-                self.simd_lt(other)
-            }
-            #[inline(always)]
-            fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self {
-                Select::select(mask, if_true, if_false)
-            }
-            #[inline(always)]
-            fn any(mask: Self::Mask) -> bool {
-                mask.any_true()
+            fn $function(self, other: Self) -> Self {
+                Self(self.0.$function(other.0))
             }
         }
     )*};
 }
-wide_lane!(f64x2, f64x4, f64x8);
+wide_operator!(Add add, Sub sub, Mul mul, Div div);
+
+impl<S: Simd> Neg for Wide<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl<S: Simd> Lane for Wide<S> {
+    type Mask = S::mask64s;
+    #[inline(always)]
+    fn like(self, value: f64) -> Self {
+        Self::splat(self.0.token(), value)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+    #[inline(always)]
+    fn ceil(self) -> Self {
+        Self(self.0.ceil())
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> Self::Mask {
+        self.0.simd_lt(other.0)
+    }
+    #[inline(always)]
+    fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self {
+        Self(mask.select(if_true.0, if_false.0))
+    }
+    #[inline(always)]
+    fn any(mask: Self::Mask) -> bool {
+        mask.any_true()
+    }
+}

@@ -2,6 +2,8 @@
 //!
 //! Every type is generic over [`Lane`]; the `f64` instance, which the bare name means, is the public type.
 
+pub mod dense;
+mod eigen;
 pub mod elliptic;
 mod interop;
 mod lane;
@@ -10,7 +12,8 @@ mod pose;
 mod quat;
 mod vec3;
 
-pub use lane::Lane;
+pub use eigen::SymmetricEigen;
+pub use lane::{Lane, Wide};
 pub use mat3::Mat3;
 pub use pose::Pose;
 pub use quat::Quat;

@@ -7,7 +7,7 @@ use core::ops::Mul;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Pose<T = f64> {
-    /// The origin of b in a-coordinates [m].
+    /// The origin of b in a-coordinates \[m\].
     pub x: Vec3<T>,
     /// The axes of b in a-coordinates.
     pub rot: Quat<T>,

@@ -124,7 +124,7 @@ impl Quat {
     /// No rotation.
     pub const IDENTITY: Self = Self::new(1.0, 0.0, 0.0, 0.0);
 
-    /// exp(u): the rotation by |u| [rad] about the direction of u.
+    /// exp(u): the rotation by |u| \[rad\] about the direction of u.
     pub fn from_rotation_vector(u: Vec3) -> Self {
         let angle2 = u.length_squared();
         if angle2 < 1e-8 {
@@ -137,12 +137,12 @@ impl Quat {
         let (sin, cos) = libm::sincos(0.5 * angle);
         Self::from_parts(cos, u * (sin / angle))
     }
-    /// The rotation by `angle` [rad] about the unit vector `axis`.
+    /// The rotation by `angle` \[rad\] about the unit vector `axis`.
     pub fn from_axis_angle(axis: Vec3, angle: f64) -> Self {
         let (sin, cos) = libm::sincos(0.5 * angle);
         Self::from_parts(cos, axis * sin)
     }
-    /// log: the rotation vector u with |u| ≤ π and exp(u) = ±q [rad].
+    /// log: the rotation vector u with |u| ≤ π and exp(u) = ±q \[rad\].
     pub fn to_rotation_vector(self) -> Vec3 {
         let q = if self.w < 0.0 { self.scaled(-1.0) } else { self };
         let v = q.vector();

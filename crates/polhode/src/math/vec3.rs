@@ -5,7 +5,7 @@ use core::ops::{Add, AddAssign, Div, Index, IndexMut, Mul, MulAssign, Neg, Sub, 
 
 /// A vector of three components, all in one frame that the name of the variable or the documentation gives.
 ///
-/// `Vec3` alone means `Vec3<f64>`, the public type; `Vec3<f64x8<S>>` is eight of them.
+/// `Vec3` alone means `Vec3<f64>`, the public type; `Vec3<Wide<S>>` is several of them.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[repr(C)]
 pub struct Vec3<T = f64> {

@@ -42,7 +42,8 @@ fn every_row_of_the_references_is_met() {
 #[test]
 fn error_is_that_of_the_input_next_to_every_limit() {
     // Random bodies; next to the separatrix, to symmetry, to a principal axis; needles and plates; up to 1e6 rad.
-    let json: Value = serde_json::from_str(include_str!("../../reference/free_body_hard.json")).unwrap();
+    let json: Value =
+        serde_json::from_str(include_str!("../../../../polhode-cli/reference/free_body_hard.json")).unwrap();
     for row in json["rows"].as_array().unwrap() {
         let [inertia, l, q] = [1, 2, 4].map(|k| numbers(&row[k]));
         let (h, condition) = (row[3].as_f64().unwrap(), row[5].as_f64().unwrap());

@@ -52,20 +52,29 @@ fn free_top(name: &'static str, text: &str) -> FreeTop {
 
 /// A top with three different moments, of no special motion.
 pub(super) fn hv() -> FreeTop {
-    free_top("free_top_HV_060810", include_str!("../../reference/free_top_HV_060810.json"))
+    free_top("free_top_HV_060810", include_str!("../../../../polhode-cli/reference/free_top_HV_060810.json"))
 }
 
 /// A water molecule: strongly asymmetric.
 pub(super) fn water() -> FreeTop {
-    free_top("free_top_water_0345_0653_1", include_str!("../../reference/free_top_water_0345_0653_1.json"))
+    free_top(
+        "free_top_water_0345_0653_1",
+        include_str!("../../../../polhode-cli/reference/free_top_water_0345_0653_1.json"),
+    )
 }
 
 /// All four free tops.
 pub(super) fn free_tops() -> [FreeTop; 4] {
     [
         hv(),
-        free_top("free_top_dzhanibekov_123", include_str!("../../reference/free_top_dzhanibekov_123.json")),
+        free_top(
+            "free_top_dzhanibekov_123",
+            include_str!("../../../../polhode-cli/reference/free_top_dzhanibekov_123.json"),
+        ),
         water(),
-        free_top("free_box_gazebo_complex", include_str!("../../reference/free_box_gazebo_complex.json")),
+        free_top(
+            "free_box_gazebo_complex",
+            include_str!("../../../../polhode-cli/reference/free_box_gazebo_complex.json"),
+        ),
     ]
 }

@@ -1,0 +1,5 @@
+//! What is kept of a run.
+
+mod hash;
+
+pub use hash::state_hash;

@@ -1,0 +1,3 @@
+//! How the laws of [`crate::constraint`] are satisfied together.
+
+pub mod pins;

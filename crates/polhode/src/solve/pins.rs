@@ -1,0 +1,230 @@
+//! The two halves of a RATTLE step for a body with pinned points.
+//!
+//! With one pin the constraint is eliminated: between kicks the body turns freely about the pinned point, with its inertia
+//! about that point and its angular momentum about it constant, so the free rotation of [`crate::integrate`] is the whole
+//! answer and the point never leaves its place.
+//!
+//! With several, all rows of the body are solved together and directly: 3 rows a pin, however redundant. In the first half the impulses λ are found such that the points close *after* the drift, by Newton steps on
+//! the real drift; in the second the impulses µ such that the points do not move. λ starts from the last µ and never from
+//! the last λ, which would integrate the gap instead of closing it.
+
+use crate::constraint::pin;
+use crate::math::{Mat3, Quat, Vec3, dense};
+use crate::model::Pin;
+
+/// Room for one body's rows. Scratch: nothing in it outlives a call.
+#[derive(Clone, Debug, Default)]
+pub struct Rows {
+    /// The matrix, 3n × 3n by rows.
+    a: Vec<f64>,
+    /// Right-hand side, then solution (3n).
+    b: Vec<f64>,
+    /// Column order of the elimination (3n).
+    order: Vec<usize>,
+    /// Arms at the start of the half, world \[m\] (n).
+    arms: Vec<Vec3>,
+}
+
+impl Rows {
+    /// Room for `n` pins on one body, so that a step allocates nothing.
+    pub fn reserve(&mut self, n: usize) {
+        self.a.resize((9 * n * n).max(self.a.len()), f64::NAN);
+        self.b.resize((3 * n).max(self.b.len()), f64::NAN);
+        self.order.resize((3 * n).max(self.order.len()), usize::MAX);
+        self.arms.resize(n.max(self.arms.len()), Vec3::splat(f64::NAN));
+    }
+    /// Overwrites everything with what no computation survives.
+    pub fn poison(&mut self) {
+        self.a.fill(f64::NAN);
+        self.b.fill(f64::NAN);
+        self.order.fill(usize::MAX);
+        self.arms.fill(Vec3::splat(f64::NAN));
+    }
+}
+
+/// The pinned body: its state and constants.
+pub struct Pinned<'a> {
+    /// Centre of mass, world \[m\].
+    pub x: &'a mut Vec3,
+    /// Principal axes → world axes.
+    pub rot: &'a mut Quat,
+    /// Linear momentum, world [kg·m/s].
+    pub p: &'a mut Vec3,
+    /// Angular momentum about the centre of mass, world [kg·m²/s].
+    pub l: &'a mut Vec3,
+    /// 1/m \[1/kg\].
+    pub inv_mass: f64,
+    /// Reciprocal principal moments [1/(kg·m²)].
+    pub inv_inertia: Vec3,
+}
+
+/// One pin of the body: its point in principal axes, and where it is held.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    /// From the centre of mass, principal axes \[m\].
+    pub point: Vec3,
+    /// World \[m\].
+    pub at: Vec3,
+}
+
+/// How far the points were from closed when the iteration ended, and what it took.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Residual {
+    /// Largest |g| \[m\].
+    pub gap: f64,
+    /// Newton steps taken.
+    pub iterations: u32,
+}
+
+impl Residual {
+    /// The worse of two.
+    pub fn max(self, other: Self) -> Self {
+        Self { gap: self.gap.max(other.gap), iterations: self.iterations.max(other.iterations) }
+    }
+}
+
+/// More would mean that the step is too long for the motion; each contracts the gap by about h|ω|/2.
+const MAX_NEWTON_STEPS: u32 = 24;
+
+/// A pivot this much smaller than the largest is a redundant row: rounding leaves 1e-16, honest geometry more than 1e-9.
+pub const RANK_TOLERANCE: f64 = 1e-10;
+
+impl Pinned<'_> {
+    /// An impulse P at an arm: p += P, l += r × P.
+    fn apply(&mut self, impulse: Vec3, arm: Vec3) {
+        *self.p += impulse;
+        *self.l += arm.cross(impulse);
+    }
+
+    /// The first half: finds and applies the impulses with which the points are closed after the drift over `h`, and
+    /// drifts. `impulse` holds the last closing impulses scaled to this step, and receives what was applied.
+    pub fn close_positions(
+        &mut self,
+        points: impl Fn(usize) -> Point,
+        impulse: &mut [Vec3],
+        h: f64,
+        drift: impl Fn(Quat, Vec3) -> Quat,
+        rows: &mut Rows,
+    ) -> Residual {
+        let n = impulse.len();
+        let (x, rot) = (*self.x, *self.rot);
+        for (i, &impulse) in impulse.iter().enumerate() {
+            let arm = rot.rotate(points(i).point);
+            rows.arms[i] = arm;
+            self.apply(impulse, arm);
+        }
+        let mut residual = Residual { gap: f64::INFINITY, iterations: 0 };
+        loop {
+            let x1 = x + *self.p * (h * self.inv_mass);
+            let rot1 = drift(rot, *self.l);
+            let mut worst = 0.0f64;
+            for i in 0..n {
+                let point = points(i);
+                let g = pin::gap(x1, rot1.rotate(point.point), point.at);
+                worst = worst.max(g.max_abs());
+                rows.b[3 * i..3 * i + 3].copy_from_slice(&g.to_array());
+            }
+            // Newton ends where rounding stops it: the gap no longer shrinks.
+            let stuck = worst.is_nan() || worst >= 0.75 * residual.gap;
+            (*self.x, *self.rot) = (x1, rot1);
+            residual.gap = residual.gap.min(worst);
+            if worst == 0.0 || stuck || residual.iterations == MAX_NEWTON_STEPS {
+                return residual;
+            }
+            residual.iterations += 1;
+            // The turn answers an impulse over the whole step: its inertia is that of the middle.
+            let middle = if rot.w * rot1.w + rot.vector().dot(rot1.vector()) < 0.0 {
+                Quat::from_parts(rot.w - rot1.w, rot.vector() - rot1.vector())
+            } else {
+                Quat::from_parts(rot.w + rot1.w, rot.vector() + rot1.vector())
+            };
+            let inv_inertia_w = pin::world_inverse_inertia(middle.normalized(), self.inv_inertia);
+            let (inv_mass, inv_inertia_w) = (h * self.inv_mass, inv_inertia_w.scaled(h));
+            rows.fill(n, |i, j, arms| pin::response(inv_mass, inv_inertia_w, rot1.rotate(points(i).point), arms[j]));
+            rows.solve(n);
+            for (i, impulse) in impulse.iter_mut().enumerate() {
+                let step = -rows.solution(i);
+                *impulse += step;
+                self.apply(step, rows.arms[i]);
+            }
+        }
+    }
+
+    /// The first half of a body with one pin: drifts about it over `h`. `rotate` is the free rotation (orientation,
+    /// angular momentum, reciprocal moments). Returns the impulse of the pin.
+    pub fn drift_about(
+        &mut self,
+        pin: &Pin,
+        mass: f64,
+        rotate: impl Fn(Quat, Vec3, Vec3) -> Quat,
+        rows: &mut Rows,
+    ) -> Vec3 {
+        let before = *self.p;
+        let mut impulse = [Vec3::ZERO];
+        let point = Point { point: pin.point, at: pin.at };
+        // The kick left a velocity that the pin does not allow; its answer does not change L about the pin.
+        self.close_velocities(|_| point, &mut impulse, rows);
+        let l = *self.l - rows.arms[0].cross(*self.p);
+        let rot = rotate(*self.rot * pin.axes, l, pin.inv_inertia);
+        *self.rot = (rot * pin.axes.conjugate()).renormalized();
+        let w = rot.rotate(rot.inverse_rotate(l).scale(pin.inv_inertia));
+        let arm = self.rot.rotate(pin.point);
+        *self.x = pin.at - arm;
+        *self.p = arm.cross(w) * mass;
+        *self.l = l + arm.cross(*self.p);
+        *self.p - before
+    }
+
+    /// The second half: finds and applies the impulses with which the points are at rest, and writes them to `impulse`.
+    pub fn close_velocities(&mut self, points: impl Fn(usize) -> Point, impulse: &mut [Vec3], rows: &mut Rows) {
+        let n = impulse.len();
+        impulse.fill(Vec3::ZERO);
+        for (i, arm) in rows.arms.iter_mut().enumerate().take(n) {
+            *arm = self.rot.rotate(points(i).point);
+        }
+        let inv_inertia_w = pin::world_inverse_inertia(*self.rot, self.inv_inertia);
+        // The system is linear; the second pass removes the rounding of the first.
+        for _ in 0..2 {
+            let v = *self.p * self.inv_mass;
+            let w = self.rot.rotate(self.rot.inverse_rotate(*self.l).scale(self.inv_inertia));
+            for i in 0..n {
+                let velocity = v + w.cross(rows.arms[i]);
+                rows.b[3 * i..3 * i + 3].copy_from_slice(&velocity.to_array());
+            }
+            rows.fill(n, |i, j, arms| pin::response(self.inv_mass, inv_inertia_w, arms[i], arms[j]));
+            rows.solve(n);
+            for (i, impulse) in impulse.iter_mut().enumerate() {
+                let step = -rows.solution(i);
+                *impulse += step;
+                self.apply(step, rows.arms[i]);
+            }
+        }
+    }
+}
+
+impl Rows {
+    /// Writes the blocks K_ij; `block` is given i, j and the arms.
+    fn fill(&mut self, n: usize, block: impl Fn(usize, usize, &[Vec3]) -> Mat3) {
+        for i in 0..n {
+            for j in 0..n {
+                let k = block(i, j, &self.arms);
+                for r in 0..3 {
+                    for c in 0..3 {
+                        self.a[(3 * i + r) * 3 * n + 3 * j + c] = k.at(r, c);
+                    }
+                }
+            }
+        }
+    }
+    fn solve(&mut self, n: usize) {
+        dense::solve_rank_revealing(
+            &mut self.a[..9 * n * n],
+            &mut self.b[..3 * n],
+            &mut self.order[..3 * n],
+            RANK_TOLERANCE,
+        );
+    }
+    fn solution(&self, i: usize) -> Vec3 {
+        Vec3::new(self.b[3 * i], self.b[3 * i + 1], self.b[3 * i + 2])
+    }
+}
