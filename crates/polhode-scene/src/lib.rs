@@ -6,8 +6,10 @@
 mod decode;
 mod error;
 pub mod mesh;
+pub mod recording;
 pub mod scene;
 
 pub use error::{Problem, SceneError};
 pub use mesh::TriMesh;
+pub use recording::Recording;
 pub use scene::{Scene, SceneFile, schema};

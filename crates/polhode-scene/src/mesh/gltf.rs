@@ -5,7 +5,7 @@ use base64::Engine as _;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;
 use gltf::scene::Transform;
-use gltf::{Accessor, Gltf, Node, Primitive, Semantic};
+use gltf::{Accessor, Document, Gltf, Node, Primitive, Semantic};
 use polhode::math::{Mat3, Quat, Vec3};
 use std::path::{Component, Path, PathBuf};
 
@@ -21,8 +21,8 @@ pub(super) fn read(bytes: &[u8], folder: Option<&Path>) -> Read<TriMesh> {
             return Err(format!("the header says that the file has {length} bytes"));
         }
     }
-    let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(|e| e.to_string())?;
-    let mut blob = blob;
+    let Gltf { document, mut blob } = Gltf::from_slice_without_validation(bytes).map_err(|e| e.to_string())?;
+    let document = validated(document.into_json())?;
     let mut buffers = Vec::new();
     for buffer in document.buffers() {
         let data = match buffer.source() {
@@ -49,6 +49,18 @@ pub(super) fn read(bytes: &[u8], folder: Option<&Path>) -> Read<TriMesh> {
         open.extend(node.children().map(|child| (child, placement)));
     }
     builder.finish()
+}
+
+/// The document after the library's own checks, which themselves trust the accessors of a primitive to be there.
+fn validated(json: gltf::json::Root) -> Read<Document> {
+    for (number, mesh) in json.meshes.iter().enumerate() {
+        for accessor in mesh.primitives.iter().flat_map(|primitive| primitive.attributes.values()) {
+            if accessor.value() >= json.accessors.len() {
+                return Err(format!("mesh {number}: there is no accessor {}", accessor.value()));
+            }
+        }
+    }
+    Document::from_json(json).map_err(|e| e.to_string())
 }
 
 /// The bytes that a URI of a buffer stands for: base64 in the file itself, or a file beside it. Never the network.

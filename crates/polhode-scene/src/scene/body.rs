@@ -39,8 +39,6 @@ table! {
         gravity_scale: f64 = 1.0;
         /// Colour in the picture; chosen for you if absent.
         color: Option<Color>;
-        /// Frames that are drawn along its path.
-        trace: Vec<Trace>;
         /// Copies on a grid.
         repeat: Option<Repeat>;
     }
@@ -55,16 +53,6 @@ words! {
         "fixed" Fixed,
         /// It keeps the velocity and angular velocity that it is given, whatever acts on it.
         "kinematic" Kinematic,
-    }
-}
-
-words! {
-    /// A frame that moves along a path.
-    Trace {
-        /// Tangent, normal and binormal of the path; undefined at rest and where the path is straight.
-        "frenet" Frenet,
-        /// A frame carried along without twisting about the tangent (Bishop).
-        "parallel" Parallel,
     }
 }
 

@@ -30,6 +30,9 @@ pub(crate) fn scene(scene: &Scene) -> Vec<Finding> {
         if variant.places.iter().any(|place| !place.is_empty()) {
             check_parts(&variant.parts, &variant.places, &mut found);
         }
+        if let Some(follow) = &scene.follow {
+            Names::of(&variant.parts).refer(follow, "follow", true, &mut found);
+        }
     }
     for (i, plot) in scene.plot.iter().enumerate() {
         if plot.series.is_empty() {
@@ -102,6 +105,12 @@ struct Names<'a> {
 }
 
 impl<'a> Names<'a> {
+    fn of(parts: &'a Parts) -> Self {
+        let mut names = Self::default();
+        parts.body.iter().for_each(|body| names.declare(body, "", &mut Vec::new()));
+        names
+    }
+
     fn declare(&mut self, body: &'a Body, path: &str, found: &mut Vec<Finding>) {
         let count = body.copies();
         self.total = self.total.saturating_add(count);

@@ -18,7 +18,7 @@ mod force;
 mod shape;
 mod values;
 
-pub use body::{Body, Kind, Repeat, Trace};
+pub use body::{Body, Kind, Repeat};
 pub use file::SceneFile;
 pub use force::{
     Buoyancy, Central, Field, Force, Frame, LinearDrag, MutualGravity, Pin, QuadraticDrag, Spring, TorsionSpring,
@@ -50,8 +50,12 @@ table! {
         row: OneOrMany<u32>;
         /// Whether everything moves in the plane z = 0.
         planar: bool = false;
-        /// What is recorded of each body, besides position and rotation; chosen by the number of bodies if absent.
-        record: Option<Vec<Channel>>;
+        /// What the page draws at the start; what suits the scene if absent.
+        show: Option<Vec<Show>>;
+        /// Name of the body that the camera goes with.
+        follow: Option<String>;
+        /// What is recorded of each body, besides position, rotation and what `show` needs.
+        record: Vec<Channel>;
         /// Plots under the picture; energy and momenta if there are none.
         plot: Vec<Plot>;
         /// Variants that run side by side; each changes what it states and keeps the rest.
@@ -152,6 +156,36 @@ words! {
 }
 
 words! {
+    /// What the page draws.
+    Show {
+        /// The axes of each body.
+        "axes" Axes,
+        /// Angular velocity.
+        "omega" Omega,
+        /// Angular momentum.
+        "momentum" Momentum,
+        /// Velocity.
+        "velocity" Velocity,
+        /// Force.
+        "force" Force,
+        /// Torque.
+        "torque" Torque,
+        /// The path of the centre of mass.
+        "path" Path,
+        /// Tangent, normal and binormal of the path.
+        "frenet" Frenet,
+        /// A frame carried along the path without twisting.
+        "parallel" Parallel,
+        /// Where the body was a moment ago.
+        "trail" Trail,
+        /// The curve of the angular velocity in the body.
+        "polhode" Polhode,
+        /// The curve of the angular velocity in space.
+        "herpolhode" Herpolhode,
+    }
+}
+
+words! {
     /// A formula of the lecture's slides that is wrong as printed.
     Slide {
         /// ṗ = F(F·r), the force projected on the lever.
@@ -170,13 +204,13 @@ words! {
 pub struct Resolved {
     /// Gravity, world axes [m/s²].
     pub gravity: Vec3,
-    /// How long the run is [s].
+    /// How long the run is \[s\].
     pub time: f64,
-    /// Time step [s].
+    /// Time step \[s\].
     pub dt: f64,
     /// Integrator.
     pub integrator: String,
-    /// Time between two recorded frames [s].
+    /// Time between two recorded frames \[s\].
     pub frame_interval: f64,
     /// Integrator of the run that attitudes are compared with.
     pub reference: Option<String>,

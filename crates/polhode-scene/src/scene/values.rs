@@ -49,7 +49,7 @@ impl Decode for Gravity {
     }
 }
 
-/// A time step [s]: a number, or a quotient such as `"1/60"`.
+/// A time step \[s\]: a number, or a quotient such as `"1/60"`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeStep(pub f64);
 

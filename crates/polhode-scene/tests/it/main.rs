@@ -1,4 +1,5 @@
 //! What the scene crate promises to its users.
 
 mod mesh;
+mod recording;
 mod scene;

@@ -259,6 +259,7 @@ fn refusals_say_what_is_wrong_and_where() {
         (Format::Gltf, "glTF\x02\0\0\0\x03\0\0\0".into(), "says that the file has 3 bytes"),
         (Format::Gltf, gltf(|j| j["scenes"] = serde_json::json!([])), "no scene"),
         (Format::Gltf, gltf(|j| j["nodes"][0]["children"] = serde_json::json!([0])), "node 0 has two parents"),
+        (Format::Gltf, gltf(|j| j["accessors"] = serde_json::json!([])), "mesh 0: there is no accessor 0"),
         (Format::Gltf, gltf(|j| j["accessors"][1]["count"] = 37.into()), "accessor 1 reaches outside its buffer"),
         (Format::Gltf, gltf(|j| j["accessors"][0]["count"] = 7.into()), "vertex 7 does not exist, of 7"),
         (Format::Gltf, gltf(|j| j["bufferViews"][0]["byteOffset"] = u64::MAX.into()), "reaches outside its buffer"),

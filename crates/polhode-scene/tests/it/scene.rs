@@ -19,6 +19,8 @@ time = 20
 dt = "1/120"
 gravity = 0
 integrator = "pdmv10"
+show = ["omega", "polhode"]
+follow = "racket"
 
 [[body]]
 name = "racket"
@@ -28,7 +30,6 @@ shape = [
 ]
 angular_velocity_degrees = [0.1, 360, 0.1]
 color = "#4f8fd0"
-trace = ["frenet"]
 
 [[body]]
 name = "dust"
@@ -196,6 +197,8 @@ fn refusals_say_what_is_wrong_and_where() {
         ("[[compare]]\nlabel = 'a'\n[[compare]]\nlabel = 'a'".to_owned(), "also the label of compare[0]", ""),
         ("[[compare]]\nlabel = 'a'\n[[compare.body]]\nname = 'x'".to_owned(), "needs a mass", "compare[0].body[0]"),
         ("[[plot]]\ntitle = 'a'\nseries = []".to_owned(), "a plot needs a series", ""),
+        ("follow = 'b'".to_owned(), "there is no body named \"b\"", "(follow)"),
+        ("show = ['frent']".to_owned(), "did you mean \"frenet\"?", "(show[0])"),
         ("title = 3".to_owned(), "expected a string, found the integer 3", ""),
         ("planar = 1".to_owned(), "expected true or false, found the integer 1", ""),
         ("row = -3".to_owned(), "a whole number from 0", ""),
@@ -220,7 +223,7 @@ fn a_later_error_is_shown_at_its_place() {
     let file = parse(RACKET);
     let error = polhode::Error::new("density", "is too much").inside("body[0].shape[1]");
     let shown = file.error(&error).to_string();
-    assert!(shown.contains("test.toml:15:5 (body[0].shape[1].density)"), "{shown}");
+    assert!(shown.contains("test.toml:17:5 (body[0].shape[1].density)"), "{shown}");
     let error = polhode::Error::new("nowhere", "is lost");
     assert!(file.error(&error).to_string().contains("test.toml:1:1 (nowhere)"));
 }

@@ -81,7 +81,7 @@ pub struct BodyView<'a> {
     pub frame: Pose,
     /// Shapes, in the body's own frame.
     pub shapes: &'a [Shape],
-    /// Uniform gravity of the world [m/s²].
+    /// Uniform gravity of the world \[m/s²\].
     pub gravity: Vec3,
 }
 

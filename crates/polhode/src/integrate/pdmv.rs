@@ -45,7 +45,7 @@ pub enum Order {
 }
 
 impl Order {
-    /// The largest angle of one sub-rotation [rad].
+    /// The largest angle of one sub-rotation \[rad\].
     ///
     /// Half a radian keeps the sixth-order map below 2e-6 rad and the Newton iteration at rounding after three steps;
     /// the orders that are chosen for precision take half of that.
@@ -73,7 +73,7 @@ pub const MAX_SUBROTATIONS: f64 = 64.0;
 /// What the free motion of one body conserves, and what follows from it.
 #[derive(Clone, Copy)]
 struct Invariants<T> {
-    /// Kinetic energy H = ½ Σ k y² [J].
+    /// Kinetic energy H = ½ Σ k y² \[J\].
     energy: T,
     /// Casimir C = ½ |y|² [kg²·m⁴/s²].
     casimir: T,
@@ -219,7 +219,7 @@ fn cayley_vector<T: Lane>(y: Vec3<T>, k: Vec3<T>, h: T) -> Vec3<T> {
     a.scale(k)
 }
 
-/// One free rotation over `h` [s]: the new orientation.
+/// One free rotation over `h` \[s\]: the new orientation.
 ///
 /// `l` is the angular momentum in world axes [kg·m²/s]; `k` the reciprocal principal moments [1/(kg·m²)], along the axes
 /// of `rot`. Lanes whose angle h|ω| exceeds [`Order::max_angle`] take several equal sub-rotations, at most

@@ -47,7 +47,7 @@ pub struct Model {
     pub pins: Vec<Pin>,
     /// Their names (n_pins).
     pub pin_ids: Vec<PinId>,
-    /// Uniform gravity, world [m/s²].
+    /// Uniform gravity, world \[m/s²\].
     pub gravity: Vec3,
     /// Whether everything stays in the plane z = 0.
     pub planar: bool,
@@ -85,7 +85,7 @@ pub struct Start {
 }
 
 impl Model {
-    /// No bodies; gravity [m/s²].
+    /// No bodies; gravity \[m/s²\].
     pub fn new(gravity: Vec3, planar: bool) -> Self {
         Self {
             slots: Slots::default(),
