@@ -1,7 +1,7 @@
 //! Scenes for the polhode engine: TOML files, mesh files, recordings.
 //!
-//! A [`scene::SceneFile`] is a scene read from TOML, plain data with every problem of the file found and placed. A
-//! [`mesh::TriMesh`] is read from OBJ, STL, PLY or glTF. A [`recording`] is what a run leaves behind.
+//! A [`SceneFile`] is a scene read from TOML, plain data with every problem of the file found and placed. A [`mesh`] is read
+//! from OBJ, STL, PLY or glTF. A [`recording`] is what a run leaves behind.
 
 mod decode;
 mod error;
@@ -10,6 +10,5 @@ pub mod recording;
 pub mod scene;
 
 pub use error::{Problem, SceneError};
-pub use mesh::TriMesh;
 pub use recording::Recording;
 pub use scene::{Scene, SceneFile, schema};

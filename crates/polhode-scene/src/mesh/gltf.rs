@@ -1,6 +1,6 @@
 //! glTF 2: the triangles of the scene that is shown first, each mesh where its nodes put it.
 
-use super::{Builder, Read, TriMesh, read_file};
+use super::{Read, Triangles, read_file};
 use base64::Engine as _;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;
@@ -13,7 +13,7 @@ use std::path::{Component, Path, PathBuf};
 const GLB_HEADER: u32 = 12;
 
 /// `folder` is where the file lies; without one, a buffer in a file of its own is refused.
-pub(super) fn read(bytes: &[u8], folder: Option<&Path>) -> Read<TriMesh> {
+pub(super) fn read(bytes: &[u8], folder: Option<&Path>) -> Read<Triangles> {
     if let (Some(b"glTF"), Some(length)) = (bytes.get(..4), bytes.get(8..12)) {
         let length = u32::from_le_bytes([length[0], length[1], length[2], length[3]]);
         // The parser subtracts the one from the other.
@@ -31,7 +31,7 @@ pub(super) fn read(bytes: &[u8], folder: Option<&Path>) -> Read<TriMesh> {
         };
         buffers.push(data.map_err(|e| format!("buffer {}: {e}", buffer.index()))?);
     }
-    let mut builder = Builder::default();
+    let mut triangles = Triangles::default();
     let mut seen = vec![false; document.nodes().count()];
     let mut open: Vec<(Node, Placement)> = match document.default_scene().or_else(|| document.scenes().next()) {
         Some(scene) => scene.nodes().map(|node| (node, Placement::HERE)).collect(),
@@ -44,11 +44,11 @@ pub(super) fn read(bytes: &[u8], folder: Option<&Path>) -> Read<TriMesh> {
         let placement = outer.then(&node.transform());
         for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
             let name = || format!("node {}, primitive {}", node.index(), primitive.index());
-            add_primitive(&primitive, &placement, &buffers, &mut builder).map_err(|e| format!("{}: {e}", name()))?;
+            add_primitive(&primitive, &placement, &buffers, &mut triangles).map_err(|e| format!("{}: {e}", name()))?;
         }
         open.extend(node.children().map(|child| (child, placement)));
     }
-    builder.finish()
+    Ok(triangles)
 }
 
 /// The document after the library's own checks, which themselves trust the accessors of a primitive to be there.
@@ -125,7 +125,7 @@ impl Placement {
     }
 }
 
-fn add_primitive(primitive: &Primitive, place: &Placement, buffers: &[Vec<u8>], builder: &mut Builder) -> Read<()> {
+fn add_primitive(primitive: &Primitive, place: &Placement, buffers: &[Vec<u8>], triangles: &mut Triangles) -> Read<()> {
     let mode = primitive.mode();
     if !matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
         return Ok(());
@@ -149,11 +149,11 @@ fn add_primitive(primitive: &Primitive, place: &Placement, buffers: &[Vec<u8>], 
     };
     // A mirror turns the surface inside out; the other order of corners turns it back.
     let mirrored = place.linear.determinant() < 0.0;
-    let triangles = match mode {
+    let n_triangles = match mode {
         Mode::Triangles => count / 3,
         _ => count.saturating_sub(2),
     };
-    for i in 0..triangles {
+    for i in 0..n_triangles {
         let [a, b, c] = match mode {
             Mode::Triangles => [3 * i, 3 * i + 1, 3 * i + 2],
             Mode::TriangleStrip if i % 2 == 1 => [i + 1, i, i + 2],
@@ -161,7 +161,7 @@ fn add_primitive(primitive: &Primitive, place: &Placement, buffers: &[Vec<u8>], 
             _ => [0, i + 1, i + 2],
         };
         let [a, b, c] = [corner(a)?, corner(b)?, corner(c)?];
-        builder.triangle(if mirrored { [a, c, b] } else { [a, b, c] })?;
+        triangles.add(if mirrored { [a, c, b] } else { [a, b, c] })?;
     }
     Ok(())
 }

@@ -12,18 +12,9 @@ mod ply;
 mod stl;
 
 use polhode::math::Vec3;
-use std::collections::HashMap;
+use polhode::shape::TriangleMesh;
 use std::fmt;
 use std::path::Path;
-
-/// A surface of triangles.
-#[derive(Clone, Debug, PartialEq, Default)]
-pub struct TriMesh {
-    /// Vertices, in the unit of the file, no two equal, in the order in which the triangles first use them.
-    pub positions: Vec<Vec3>,
-    /// Corners of each triangle, counterclockwise seen from outside.
-    pub triangles: Vec<[u32; 3]>,
-}
 
 /// A mesh file was refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -82,45 +73,38 @@ impl Format {
     }
 }
 
-impl TriMesh {
-    /// Reads a mesh from a file; a `.gltf` may name buffers in its own folder or below.
-    ///
-    /// # Errors
-    /// If the file cannot be read, its name has an ending of no known format, or for all that [`TriMesh::parse`] refuses.
-    pub fn load(path: impl AsRef<Path>) -> Result<Self, MeshError> {
-        let path = path.as_ref();
-        let wrong = |message: String| MeshError { file: path.display().to_string(), message };
-        let format = Format::of(path)
-            .ok_or_else(|| wrong("not a mesh that polhode reads: .obj, .stl, .ply, .gltf or .glb".to_owned()))?;
-        let bytes = read_file(path).map_err(wrong)?;
-        let mesh = match format {
-            Format::Gltf => gltf::read(&bytes, path.parent()),
-            _ => read(format, &bytes),
-        };
-        mesh.map_err(wrong)
-    }
-
-    /// Reads a mesh from the bytes of a file called `name`, which only errors use. No other file is opened.
-    ///
-    /// # Errors
-    /// If the bytes are not of that format, a count, index or coordinate in them is wrong, or there is no triangle.
-    pub fn parse(name: &str, format: Format, bytes: &[u8]) -> Result<Self, MeshError> {
-        read(format, bytes).map_err(|message| MeshError { file: name.to_owned(), message })
-    }
-
-    /// The same surface with every coordinate multiplied by `scale`, metres in one unit of the file.
-    pub fn scaled(mut self, scale: f64) -> Self {
-        for position in &mut self.positions {
-            *position *= scale;
-        }
-        self
-    }
+/// Reads a mesh from a file; a `.gltf` may name buffers in its own folder or below. `scale` is how many metres one unit of
+/// the file is.
+///
+/// # Errors
+/// If the file cannot be read, its name has an ending of no known format, or for all that [`parse`] refuses.
+pub fn load(path: impl AsRef<Path>, scale: f64) -> Result<TriangleMesh, MeshError> {
+    let path = path.as_ref();
+    let wrong = |message: String| MeshError { file: path.display().to_string(), message };
+    let format = Format::of(path)
+        .ok_or_else(|| wrong("not a mesh that polhode reads: .obj, .stl, .ply, .gltf or .glb".to_owned()))?;
+    let bytes = read_file(path).map_err(wrong)?;
+    let triangles = match format {
+        Format::Gltf => gltf::read(&bytes, path.parent()),
+        _ => read(format, &bytes),
+    };
+    triangles.and_then(|triangles| triangles.finish(scale)).map_err(wrong)
 }
 
-/// Messages of this module have no file name; [`TriMesh::load`] puts it in front.
+/// Reads a mesh from the bytes of a file called `name`, which only errors use. No other file is opened. `scale` is how many
+/// metres one unit of the file is.
+///
+/// # Errors
+/// If the bytes are not of that format, a count, index or coordinate in them is wrong, or there is no triangle.
+pub fn parse(name: &str, format: Format, bytes: &[u8], scale: f64) -> Result<TriangleMesh, MeshError> {
+    let mesh = read(format, bytes).and_then(|triangles| triangles.finish(scale));
+    mesh.map_err(|message| MeshError { file: name.to_owned(), message })
+}
+
+/// Messages of this module have no file name; [`load`] puts it in front.
 type Read<T> = Result<T, String>;
 
-fn read(format: Format, bytes: &[u8]) -> Read<TriMesh> {
+fn read(format: Format, bytes: &[u8]) -> Read<Triangles> {
     match format {
         Format::Obj => obj::read(bytes),
         Format::Stl => stl::read(bytes),
@@ -138,16 +122,15 @@ fn read_file(path: &Path) -> Read<Vec<u8>> {
     std::fs::read(path).map_err(cannot)
 }
 
-/// Collects triangles and gives equal corners one index.
+/// Triangles as a file gives them, each with corners of its own.
 #[derive(Default)]
-struct Builder {
-    mesh: TriMesh,
-    index_of: HashMap<[u64; 3], u32>,
+struct Triangles {
+    corners: Vec<[Vec3; 3]>,
 }
 
-impl Builder {
-    fn triangle(&mut self, corners: [Vec3; 3]) -> Read<()> {
-        let number = self.mesh.triangles.len();
+impl Triangles {
+    fn add(&mut self, corners: [Vec3; 3]) -> Read<()> {
+        let number = self.corners.len();
         self.polygon(&corners).map_err(|e| format!("triangle {number}: {e}"))
     }
 
@@ -156,35 +139,26 @@ impl Builder {
         if corners.len() < 3 {
             return Err(format!("{} corners do not make a face", corners.len()));
         }
-        let mut indices = Vec::with_capacity(corners.len());
-        for &corner in corners {
-            indices.push(self.corner(corner)?);
+        if let Some(p) = corners.iter().find(|p| !p.is_finite()) {
+            return Err(format!("a corner at ({}, {}, {}) is not finite", p.x, p.y, p.z));
         }
-        self.mesh.triangles.extend(indices.windows(2).skip(1).map(|pair| [indices[0], pair[0], pair[1]]));
-        if self.mesh.triangles.len() > MOST_TRIANGLES {
+        self.corners.extend(corners.windows(2).skip(1).map(|pair| [corners[0], pair[0], pair[1]]));
+        if self.corners.len() > MOST_TRIANGLES {
             return Err(format!("more than {MOST_TRIANGLES} triangles"));
         }
         Ok(())
     }
 
-    fn corner(&mut self, p: Vec3) -> Read<u32> {
-        if !p.is_finite() {
-            return Err(format!("a corner at ({}, {}, {}) is not finite", p.x, p.y, p.z));
-        }
-        // Adding zero turns −0 into +0, which equals it.
-        let key = p.to_array().map(|x| (x + 0.0).to_bits());
-        let next = self.mesh.positions.len() as u32;
-        let index = *self.index_of.entry(key).or_insert(next);
-        if index == next {
-            self.mesh.positions.push(p);
-        }
-        Ok(index)
-    }
-
-    fn finish(self) -> Read<TriMesh> {
-        if self.mesh.triangles.is_empty() {
+    fn finish(self, scale: f64) -> Read<TriangleMesh> {
+        if self.corners.is_empty() {
             return Err("the file holds no triangle".to_owned());
         }
-        Ok(self.mesh)
+        let positions = self.corners.iter().flatten().map(|&p| p * scale).collect();
+        let triangles = (0..self.corners.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let mesh = TriangleMesh::new(positions, triangles).map_err(|e| e.to_string())?.merged();
+        if mesh.triangles().is_empty() {
+            return Err("every triangle of the file has two corners in one point".to_owned());
+        }
+        Ok(mesh)
     }
 }

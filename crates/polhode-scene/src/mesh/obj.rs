@@ -1,12 +1,12 @@
 //! Wavefront OBJ.
 
-use super::{Builder, Read, TriMesh};
+use super::{Read, Triangles};
 use polhode::math::Vec3;
 use std::cell::Cell;
 use std::io::BufRead;
 use tobj::{LoadError, LoadOptions};
 
-pub(super) fn read(bytes: &[u8]) -> Read<TriMesh> {
+pub(super) fn read(bytes: &[u8]) -> Read<Triangles> {
     let text = String::from_utf8_lossy(bytes);
     let line = Cell::new(0);
     let mut statements = Statements { rest: &text, buffer: Vec::new(), read: 0, line: &line };
@@ -18,7 +18,7 @@ pub(super) fn read(bytes: &[u8]) -> Read<TriMesh> {
         LoadError::InvalidPolygon => "a face has no corners".to_owned(),
         e => format!("line {}: {e}", line.get()),
     })?;
-    let mut builder = Builder::default();
+    let mut triangles = Triangles::default();
     for model in &models {
         let mesh = &model.mesh;
         let corner = |i: u32| match mesh.positions.get(3 * i as usize..3 * i as usize + 3) {
@@ -26,10 +26,10 @@ pub(super) fn read(bytes: &[u8]) -> Read<TriMesh> {
             _ => Err(missing_vertex(&text)),
         };
         for triangle in mesh.indices.chunks_exact(3) {
-            builder.triangle([corner(triangle[0])?, corner(triangle[1])?, corner(triangle[2])?])?;
+            triangles.add([corner(triangle[0])?, corner(triangle[1])?, corner(triangle[2])?])?;
         }
     }
-    builder.finish()
+    Ok(triangles)
 }
 
 /// The lines of the file that make the surface, `v` and `f`, one at a time, with continued lines joined.

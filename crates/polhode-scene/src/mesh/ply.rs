@@ -1,13 +1,13 @@
 //! PLY, ASCII and binary.
 
-use super::{Builder, Read, TriMesh};
+use super::{Read, Triangles};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{
     ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
 };
 use polhode::math::Vec3;
 
-pub(super) fn read(bytes: &[u8]) -> Read<TriMesh> {
+pub(super) fn read(bytes: &[u8]) -> Read<Triangles> {
     let parser = Parser::<Element>::new();
     let mut reader = Reader::new(bytes);
     let header = parser.read_header(&mut reader).map_err(|e| brief(&e))?;
@@ -21,7 +21,7 @@ pub(super) fn read(bytes: &[u8]) -> Read<TriMesh> {
             _ => {}
         }
     }
-    let mut builder = Builder::default();
+    let mut triangles = Triangles::default();
     for (number, face) in faces.iter().enumerate() {
         let corner = |&i: &i64| {
             let vertex = usize::try_from(i).ok().and_then(|i| vertices.get(i));
@@ -30,9 +30,9 @@ pub(super) fn read(bytes: &[u8]) -> Read<TriMesh> {
             vertex.map(|vertex| Vec3::from(vertex.position))
         };
         let corners: Vec<Vec3> = face.corners.iter().map(corner).collect::<Read<_>>()?;
-        builder.polygon(&corners).map_err(|e| format!("face {number}: {e}"))?;
+        triangles.polygon(&corners).map_err(|e| format!("face {number}: {e}"))?;
     }
-    builder.finish()
+    Ok(triangles)
 }
 
 /// The parser's message without the copy of the whole line that it carries.

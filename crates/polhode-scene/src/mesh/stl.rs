@@ -1,6 +1,6 @@
 //! STL, ASCII and binary.
 
-use super::{Builder, Read, TriMesh};
+use super::{Read, Triangles};
 use polhode::math::Vec3;
 use std::io::Cursor;
 
@@ -8,7 +8,7 @@ use std::io::Cursor;
 const HEADER: u64 = 84;
 const TRIANGLE: u64 = 50;
 
-pub(super) fn read(bytes: &[u8]) -> Read<TriMesh> {
+pub(super) fn read(bytes: &[u8]) -> Read<Triangles> {
     let count = bytes.get(80..84).map(|b| u64::from(u32::from_le_bytes([b[0], b[1], b[2], b[3]])));
     // Many binary files begin with "solid" all the same, so the length decides first.
     match count.map(|count| (count, HEADER + TRIANGLE * count)) {
@@ -26,35 +26,35 @@ fn is_ascii(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
 }
 
-fn read_binary(bytes: &[u8]) -> Read<TriMesh> {
-    let mut builder = Builder::default();
+fn read_binary(bytes: &[u8]) -> Read<Triangles> {
+    let mut triangles = Triangles::default();
     if is_ascii(bytes) {
         // The reader would take it for an ASCII file.
         let mut renamed = bytes.to_vec();
         renamed[..80].fill(0);
-        add_all(&renamed, &mut builder)?;
+        add_all(&renamed, &mut triangles)?;
     } else {
-        add_all(bytes, &mut builder)?;
+        add_all(bytes, &mut triangles)?;
     }
-    builder.finish()
+    Ok(triangles)
 }
 
 /// A file may hold several solids, one after another; all their triangles make the mesh.
-fn read_ascii(bytes: &[u8]) -> Read<TriMesh> {
-    let mut builder = Builder::default();
+fn read_ascii(bytes: &[u8]) -> Read<Triangles> {
+    let mut triangles = Triangles::default();
     let mut rest = bytes.trim_ascii_start();
     while !rest.is_empty() {
         let end = end_of_solid(rest);
         // The name of a solid means nothing here, and a line without one is as good.
         let body = rest[..end].iter().position(|&b| b == b'\n').map_or(end, |i| i + 1);
         if !is_ascii(rest) {
-            return Err(format!("after triangle {}: expected `solid` or the end", builder.mesh.triangles.len()));
+            return Err(format!("after triangle {}: expected `solid` or the end", triangles.corners.len()));
         }
         let solid = [b"solid _\n", &rest[body..end]].concat();
-        add_all(&solid, &mut builder)?;
+        add_all(&solid, &mut triangles)?;
         rest = rest[end..].trim_ascii_start();
     }
-    builder.finish()
+    Ok(triangles)
 }
 
 /// The length of the text up to and with the line `endsolid`, or of all of it.
@@ -69,14 +69,12 @@ fn end_of_solid(text: &[u8]) -> usize {
     end
 }
 
-fn add_all(file: &[u8], builder: &mut Builder) -> Read<()> {
+fn add_all(file: &[u8], triangles: &mut Triangles) -> Read<()> {
     let mut file = Cursor::new(file);
-    let at = |builder: &Builder, e: std::io::Error| format!("triangle {}: {e}", builder.mesh.triangles.len());
-    let triangles = stl_io::create_stl_reader(&mut file).map_err(|e| at(builder, e))?;
-    for triangle in triangles {
-        let triangle = triangle.map_err(|e| at(builder, e))?;
-        let [a, b, c] = triangle.vertices.map(|v| Vec3::from(v.0.map(f64::from)));
-        builder.triangle([a, b, c])?;
+    let at = |triangles: &Triangles, e: std::io::Error| format!("triangle {}: {e}", triangles.corners.len());
+    for triangle in stl_io::create_stl_reader(&mut file).map_err(|e| at(triangles, e))? {
+        let triangle = triangle.map_err(|e| at(triangles, e))?;
+        triangles.add(triangle.vertices.map(|v| Vec3::from(v.0.map(f64::from))))?;
     }
     Ok(())
 }

@@ -2,7 +2,8 @@
 
 use base64::Engine as _;
 use polhode::math::Vec3;
-use polhode_scene::mesh::{Format, TriMesh};
+use polhode::shape::TriangleMesh;
+use polhode_scene::mesh::{self, Format};
 use std::fmt::Write as _;
 
 /// Corners and outward quadrilaterals of the cube [0, 2]³.
@@ -144,24 +145,24 @@ fn cube_glb() -> Vec<u8> {
     bytes
 }
 
-fn parse(format: Format, bytes: impl AsRef<[u8]>) -> TriMesh {
-    TriMesh::parse("mesh", format, bytes.as_ref()).unwrap_or_else(|e| panic!("{e}"))
+fn parse(format: Format, bytes: impl AsRef<[u8]>) -> TriangleMesh {
+    mesh::parse("mesh", format, bytes.as_ref(), 1.0).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn refusal(format: Format, bytes: impl AsRef<[u8]>) -> String {
-    TriMesh::parse("mesh", format, bytes.as_ref()).expect_err("the mesh is wrong").to_string()
+    mesh::parse("mesh", format, bytes.as_ref(), 1.0).expect_err("the mesh is wrong").to_string()
 }
 
 /// Six times the signed volume, by the divergence theorem.
-fn volume_6(mesh: &TriMesh) -> f64 {
-    let corner = |i: u32| mesh.positions[i as usize];
-    mesh.triangles.iter().map(|&[a, b, c]| corner(a).dot(corner(b).cross(corner(c)))).sum()
+fn volume_6(mesh: &TriangleMesh) -> f64 {
+    let corner = |i: u32| mesh.positions()[i as usize];
+    mesh.triangles().iter().map(|&[a, b, c]| corner(a).dot(corner(b).cross(corner(c)))).sum()
 }
 
 #[test]
 fn one_cube_is_the_same_mesh_in_every_format() {
     let expected = parse(Format::Obj, cube_obj());
-    assert_eq!((expected.positions.len(), expected.triangles.len()), (8, 12));
+    assert_eq!((expected.positions().len(), expected.triangles().len()), (8, 12));
     // Small integers: exact.
     assert_eq!(volume_6(&expected), 6.0 * 8.0);
     assert_eq!(parse(Format::Stl, cube_stl_ascii()), expected);
@@ -185,9 +186,9 @@ fn a_gltf_mesh_stands_where_its_nodes_put_it() {
     let mesh = parse(Format::Gltf, cube_gltf(&nodes));
     // One quaternion of f32 was normalised in f64: the parts of the turn are right to the f32 rounding of two equal
     // components, which cancels, so only f64 roundings of lengths up to 10 remain.
-    let near = |p: Vec3| mesh.positions.iter().any(|q| (*q - p).max_abs() < 1e-14);
+    let near = |p: Vec3| mesh.positions().iter().any(|q| (*q - p).max_abs() < 1e-14);
     for [x, y, z] in CORNERS.map(|c| c.map(f64::from)) {
-        assert!(near(Vec3::new(-(10.0 - 2.0 * y), x, 3.0 * z)), "{:?}", mesh.positions);
+        assert!(near(Vec3::new(-(10.0 - 2.0 * y), x, 3.0 * z)), "{:?}", mesh.positions());
     }
     // Outside is still outside: 6 times the volume 8·6, positive.
     assert!((volume_6(&mesh) - 6.0 * 48.0).abs() < 1e-10, "{}", volume_6(&mesh));
@@ -201,10 +202,10 @@ fn a_mesh_is_loaded_from_its_folder_and_no_further() {
         let buffer = serde_json::json!({ "byteLength": 168, "uri": uri });
         let path = folder.join("cube.gltf");
         std::fs::write(&path, cube_json(&buffer, &serde_json::json!([{ "mesh": 0 }])).to_string()).expect("is written");
-        TriMesh::load(path)
+        mesh::load(path, 1.0)
     };
     std::fs::write(folder.join("parts/cu be.bin"), cube_buffer()).expect("is written");
-    assert_eq!(gltf("parts/cu%20be.bin").expect("is read").triangles.len(), 12);
+    assert_eq!(gltf("parts/cu%20be.bin").expect("is read").triangles().len(), 12);
     for uri in
         ["../cube.bin", "/etc/passwd", "parts/../../x", "https://example.org/x.bin", "file:///x", "..\\x", "%2e%2e/x"]
     {
@@ -213,8 +214,10 @@ fn a_mesh_is_loaded_from_its_folder_and_no_further() {
     }
     assert!(gltf("none.bin").expect_err("is missing").to_string().contains("\"none.bin\": cannot read the file"));
     std::fs::write(folder.join("cube.step"), "").expect("is written");
-    assert!(TriMesh::load(folder.join("cube.step")).expect_err("unknown").to_string().contains("not a mesh that"));
-    assert!(TriMesh::load(folder.join("none.obj")).expect_err("missing").to_string().contains("cannot read the file"));
+    assert!(mesh::load(folder.join("cube.step"), 1.0).expect_err("unknown").to_string().contains("not a mesh that"));
+    assert!(
+        mesh::load(folder.join("none.obj"), 1.0).expect_err("missing").to_string().contains("cannot read the file")
+    );
     std::fs::remove_dir_all(&folder).expect("can be removed");
 }
 
@@ -280,10 +283,10 @@ fn refusals_say_what_is_wrong_and_where() {
 #[test]
 fn the_shipped_mesh_is_closed() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/projection.stl");
-    let mesh = TriMesh::load(path).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!((mesh.positions.len(), mesh.triangles.len()), (2084, 4160));
+    let mesh = mesh::load(path, 1.0).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!((mesh.positions().len(), mesh.triangles().len()), (2084, 4160));
     let edges = |turn: fn([u32; 3]) -> [(u32, u32); 3]| {
-        let mut edges: Vec<_> = mesh.triangles.iter().flat_map(|&t| turn(t)).collect();
+        let mut edges: Vec<_> = mesh.triangles().iter().flat_map(|&t| turn(t)).collect();
         edges.sort_unstable();
         edges
     };
@@ -292,5 +295,5 @@ fn the_shipped_mesh_is_closed() {
     assert_eq!(forth, back);
     assert!(forth.windows(2).all(|pair| pair[0] != pair[1]));
     // Euler: two surfaces without a handle, the outer one and that of the hollow.
-    assert_eq!(mesh.positions.len() + mesh.triangles.len(), forth.len() / 2 + 4);
+    assert_eq!(mesh.positions().len() + mesh.triangles().len(), forth.len() / 2 + 4);
 }
