@@ -2,7 +2,7 @@
 
 use super::reference::{self, FreeTop};
 use super::scene::{rigid, same_bits, steps, visit};
-use super::suite::{Check, Findings, Group, Subject};
+use super::suite::{Check, Findings, Group, Subject, Worst};
 use polhode::integrate::Drift;
 use polhode::math::{Quat, Vec3};
 use polhode::{Error, World};
@@ -176,10 +176,12 @@ fn exact_rows(subject: &Subject) -> Result<Findings, Error> {
                 w[axis] *= 1.0 + d;
                 condition += (end(inertia, top.w).angle_to(rot) + end(top.inertia, w).angle_to(rot)) / d;
             }
-            worst.see(rot.angle_to(attitude), 4.0 * f64::EPSILON * (1.0 + condition));
+            let because =
+                "the inputs are rounded a few times, 4 ε, and the motion enlarges that as is measured beside it";
+            let what = format!("attitude error, {}, t = {time} s [rad]", top.name);
+            worst.see(what, rot.angle_to(attitude), 4.0 * f64::EPSILON * (1.0 + condition), because);
         }
-        let because = "the inputs are rounded a few times, 4 ε, and the motion enlarges that as is measured beside it";
-        findings.at_most(format!("attitude error, {} [rad]", top.name), worst.error, worst.tolerance, because);
+        findings.worst(worst);
     }
     Ok(findings)
 }
@@ -191,38 +193,22 @@ fn hard_cases(subject: &Subject) -> Result<Findings, Error> {
     for case in &cases {
         let k = Vec3::new(1.0 / case.inertia.x, 1.0 / case.inertia.y, 1.0 / case.inertia.z);
         let rot = drift.rotate(Quat::IDENTITY, case.l, k, case.time);
-        worst.see(rot.angle_to(case.attitude), 4.0 * f64::EPSILON * (1.0 + case.condition));
+        let because =
+            "reciprocal moments round the input by ε and the formula by a few more, which the motion enlarges";
+        let what = format!("attitude error, the worst of {} bodies [rad]", cases.len());
+        worst.see(what, rot.angle_to(case.attitude), 4.0 * f64::EPSILON * (1.0 + case.condition), because);
     }
     let mut findings = Findings::default();
-    let because = "reciprocal moments round the input by ε and the formula by a few more, which the motion enlarges";
-    findings.at_most(
-        format!("attitude error, the worst of {} bodies [rad]", cases.len()),
-        worst.error,
-        worst.tolerance,
-        because,
-    );
+    findings.worst(worst);
     Ok(findings)
-}
-
-/// The error that is nearest to its own tolerance.
-#[derive(Default)]
-struct Worst {
-    error: f64,
-    tolerance: f64,
-}
-
-impl Worst {
-    fn see(&mut self, error: f64, tolerance: f64) {
-        if error * self.tolerance >= self.error * tolerance || error.is_nan() {
-            (self.error, self.tolerance) = (error, tolerance);
-        }
-    }
 }
 
 fn periods(subject: &Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     // 1/(1 − m), from the closed forms: what a relative change of the invariants does to the period, in periods.
-    for (top, separatrix) in [(reference::hv()?, 1.2), (reference::gazebo_box()?, 7e3), (reference::dzhanibekov()?, 5e5)] {
+    for (top, separatrix) in
+        [(reference::hv()?, 1.2), (reference::gazebo_box()?, 7e3), (reference::dzhanibekov()?, 5e5)]
+    {
         let time = 10.0 * reference::free_period(top.name)?;
         let angle = time * top.w.length();
         // A step of at most a tenth of a radian, in which the tenth order errs by rounding alone.
@@ -256,7 +242,8 @@ fn million(subject: &Subject) -> Result<Findings, Error> {
             changed += world.state().bodies.l.iter().zip(&start).filter(|&(&a, &b)| !same_bits(a, b)).count();
             // Every hundredth step is enough for an error that grows slowly.
             if step % 100 == 99 {
-                energy = energies(&world).iter().zip(&before).fold(energy, |worst, (e, e0)| worst.max((e / e0 - 1.0).abs()));
+                energy =
+                    energies(&world).iter().zip(&before).fold(energy, |worst, (e, e0)| worst.max((e / e0 - 1.0).abs()));
             }
         }
         findings.none(

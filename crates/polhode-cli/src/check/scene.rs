@@ -17,7 +17,12 @@ pub(super) fn ball(mass: f64) -> Result<Body, Error> {
 }
 
 /// Takes steps of `h`, and shows the world at each of the times, which are whole numbers of steps.
-pub(super) fn visit(world: &mut World, h: f64, times: impl IntoIterator<Item = f64>, mut see: impl FnMut(usize, &World)) {
+pub(super) fn visit(
+    world: &mut World,
+    h: f64,
+    times: impl IntoIterator<Item = f64>,
+    mut see: impl FnMut(usize, &World),
+) {
     for (row, time) in times.into_iter().enumerate() {
         let goal = (time / h).round() as u64;
         while world.steps() < goal {

@@ -175,9 +175,35 @@ impl Findings {
         self.measured.push(Measured { what: what.into(), error, tolerance, because: because.into() });
         self
     }
+    /// Adds the figure that was nearest to its bound, if there was any.
+    pub(super) fn worst(&mut self, worst: Worst) -> &mut Self {
+        self.measured.extend(worst.0);
+        self
+    }
     /// Adds a count of things that must not be.
     pub(super) fn none(&mut self, what: impl Into<String>, count: usize, because: impl Into<String>) -> &mut Self {
         self.at_most(what, count as f64, 0.0, because)
+    }
+}
+
+/// Of many figures the one that is nearest to its bound.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Worst(Option<Measured>);
+
+impl Worst {
+    /// Keeps the figure if none was nearer.
+    pub(super) fn see(
+        &mut self,
+        what: impl Into<String>,
+        error: f64,
+        tolerance: f64,
+        because: impl Into<String>,
+    ) -> &mut Self {
+        let figure = Measured { what: what.into(), error, tolerance, because: because.into() };
+        if self.0.as_ref().is_none_or(|worst| worst.share() <= figure.share()) {
+            self.0 = Some(figure);
+        }
+        self
     }
 }
 
