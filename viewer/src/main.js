@@ -20,6 +20,9 @@ function askForFiles(complaints) {
   document.documentElement.dataset.ready = '1';
 }
 
+// After a click the keys belong to the page again, not to the button that was clicked.
+document.addEventListener('click', (event) => event.detail > 0 && event.target.closest?.('button')?.blur());
+
 const sources = embeddedSources(document);
 if (sources.length) start(sources);
 else askForFiles([]);

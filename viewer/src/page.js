@@ -20,14 +20,15 @@ export class Page {
   constructor(root, recordings, pageWords, complaints) {
     this.recordings = recordings;
     this.player = new Player(recordings);
-    this.measure = measure(recordings);
     this.available = availableLayers(recordings);
-    this.layers = defaultLayers(recordings, this.available, this.measure);
+    this.layers = defaultLayers(recordings, this.available, measure(recordings));
     this.selected = Math.max(0, recordings[0].bodies.findIndex((body) => body.kind !== 'fixed'));
-    this.following = recordings.map((one) => one.header.follow).find((body) => Number.isInteger(body));
-    if (this.following !== undefined && recordings[0].bodies[this.following]) this.selected = this.following;
+    const followed = recordings.map((one) => one.header.follow).find((body) => Number.isInteger(body));
+    if (recordings[0].bodies[followed]) {
+      this.selected = followed;
+      this.layers.add('follow');
+    }
     this.build(root, pageWords, complaints);
-    if (this.measure.follow || this.following !== undefined) this.stage?.follow(true);
     this.bindKeys();
     const dark = matchMedia('(prefers-color-scheme: dark)');
     dark.addEventListener('change', () => {
@@ -76,7 +77,7 @@ export class Page {
     const style = getComputedStyle(document.documentElement);
     const colors = this.recordings.map((_, k) => style.getPropertyValue(`--s${(k % 8) + 1}`).trim());
     try {
-      this.stage = new Stage(views, this.recordings, this.measure, colors, {
+      this.stage = new Stage(views, this.recordings, colors, {
         draw: () => this.draw(),
         select: (recording, body) => this.select(recording, body),
       });
@@ -106,7 +107,7 @@ export class Page {
   /** Everything at the player's time, now. */
   paint() {
     const { time, playing } = this.player;
-    this.stage?.update(time, this.layers, this.selected);
+    this.stage?.update(time, this.layers, this.selected, this.marked);
     this.stage?.draw();
     this.transport.update();
     for (const plot of this.plots) plot.setTime(time);
@@ -145,6 +146,7 @@ export class Page {
 
   select(recording, body) {
     this.selected = Math.min(body, this.recordings[recording].bodies.length - 1);
+    this.marked = true;
     this.inspector.select(recording, Math.max(0, this.selected));
     this.draw();
   }
@@ -162,10 +164,13 @@ export class Page {
       ['.', () => this.change(() => player.faster(1))],
       ['r', () => this.change(() => (player.loop = !player.loop))],
       ['c', () => this.change(() => this.stage?.rig.reset())],
-      ['x', () => this.change(() => this.stage?.follow(!this.stage.following))],
       ['+', () => this.change(() => this.stage?.rig.zoomBy(1.2))],
       ['=', () => this.change(() => this.stage?.rig.zoomBy(1.2))],
       ['-', () => this.change(() => this.stage?.rig.zoomBy(1 / 1.2))],
+      ['[', () => this.change(() => this.stage?.rig.orbit(0.15, 0))],
+      [']', () => this.change(() => this.stage?.rig.orbit(-0.15, 0))],
+      ['{', () => this.change(() => this.stage?.rig.orbit(0, -0.1))],
+      ['}', () => this.change(() => this.stage?.rig.orbit(0, 0.1))],
       ['?', () => this.help.toggle()],
       ...this.available.map((layer) => [layer.key, () => this.toggle(layer.name)]),
     ]);

@@ -2,7 +2,7 @@
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 // A tab that was hidden must not jump ahead by minutes.
-const LONGEST_TICK = 0.25;
+const LONGEST_TICK = 1;
 
 export class Player {
   /** @param {import('./recording/recording.js').Recording[]} recordings */

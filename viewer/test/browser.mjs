@@ -35,10 +35,10 @@ export async function opener(browser) {
   const folder = await mkdtemp(join(tmpdir(), 'polhode-viewer-'));
   let count = 0;
   return {
-    async open(html, options = {}) {
+    async open(html, { context, ...options } = {}) {
       const file = join(folder, `${count++}.html`);
       await writeFile(file, html);
-      const page = await browser.newPage({ viewport: { width: 640, height: 720 }, reducedMotion: 'reduce', ...options });
+      const page = await (context ?? browser).newPage(context ? {} : { viewport: { width: 640, height: 720 }, reducedMotion: 'reduce', ...options });
       page.errors = watchErrors(page);
       await page.goto(pathToFileURL(file).href);
       await ready(page);

@@ -24,14 +24,21 @@ export function number(x, digits = 4) {
   return front === '1' ? powerOfTen(power) : `${front}×${powerOfTen(power)}`;
 }
 
-/** `x` with `digits` significant digits, all of them: for a readout that must not jump about as it changes. */
-export function steady(x, digits = 5) {
-  if (!Number.isFinite(x)) return number(x);
-  const power = x === 0 ? 0 : Number(x.toExponential(digits - 1).split('e')[1]);
-  if (x !== 0 && (power < -3 || power >= digits)) {
-    return `${x.toExponential(digits - 1).split('e')[0].replace('-', MINUS)}×${powerOfTen(power)}`;
-  }
-  return x.toFixed(Math.max(0, digits - 1 - Math.max(0, power))).replace('-', MINUS);
+/**
+ * The components of one vector to the precision of its largest, `digits` significant digits, all with the same
+ * decimals: a readout that does not jump about. `power`, when not 0, is a power of ten common to them.
+ */
+export function components(values, digits = 5) {
+  const largest = Math.max(0, ...values.map(Math.abs).filter(Number.isFinite));
+  const exponent = largest === 0 ? 0 : Number(largest.toExponential(digits - 1).split('e')[1]);
+  const power = exponent < -3 || exponent >= digits ? exponent : 0;
+  const decimals = power ? digits - 1 : digits - 1 - Math.max(0, exponent);
+  const texts = values.map((x) => {
+    if (!Number.isFinite(x)) return number(x);
+    const text = (x / 10 ** power).toFixed(decimals);
+    return (Number(text) === 0 ? text.replace('-', '') : text).replace('-', MINUS);
+  });
+  return { texts, power };
 }
 
 /** Seconds with as many decimals as `resolution` needs. */

@@ -9,6 +9,11 @@ const HEIGHT = 190;
 const MARGIN = { top: 22, right: 14, bottom: 30, left: 58 };
 const DASHES = ['none', '6 4', '2 3', '9 3 2 3'];
 
+/** A pure number has no unit to write. */
+function unitOf(unit) {
+  return unit && unit !== '1' ? unit : '';
+}
+
 /** Lines of a plot: every wanted series of every recording that has it. */
 function linesOf(plot, recordings) {
   const lines = [];
@@ -25,7 +30,7 @@ function linesOf(plot, recordings) {
         text: !many ? what : plot.series.length > 1 ? `${whose}: ${what}` : whose,
         color: `var(--s${((many ? r : s) % 8) + 1})`,
         dash: many ? DASHES[s % DASHES.length] : 'none',
-        unit: series.unit ?? plot.unit ?? '',
+        unit: unitOf(series.unit),
       });
     });
   });
@@ -92,8 +97,8 @@ export class Plot {
     const lists = this.lines.map((line) => line.values);
     const scale = this.log ? logScale(lists) : linearScale(lists);
     const y = scale && ((v) => bottom - scale.place(v) * (bottom - MARGIN.top));
-    const unit = this.plot.unit || this.lines[0]?.unit || '';
-    const title = [this.log ? `|·| ${unit ? `[${unit}]` : ''}, logarithmic` : unit && `[${unit}]`, scale?.above];
+    const unit = unitOf(this.plot.unit) || this.lines[0]?.unit || '';
+    const title = [unit && `[${unit}]`, this.log && 'logarithmic', scale?.above];
     const axis = svg('g', { class: 'axis' });
     axis.append(svg('text', { x: MARGIN.left, y: 13, class: 'plot-unit' }, title.filter(Boolean).join('  ')));
     for (const { at, text } of scale?.ticks ?? []) {
@@ -131,8 +136,8 @@ export class Plot {
     this.cursor.setAttribute('x2', x);
     this.lines.forEach((line, k) => {
       const value = valueAt(line, t);
-      const unit = this.plot.unit || line.unit;
-      this.values[k].textContent = value === null ? '' : `${number(value, 6)}${unit ? ` ${unit}` : ''}`;
+      const unit = unitOf(this.plot.unit) || line.unit;
+      this.values[k].textContent = value === null ? '' : `${number(value, 6)}${unit && Number.isFinite(value) ? ` ${unit}` : ''}`;
       const y = value === null || !this.y ? NaN : this.y(value);
       const dot = this.dots[k];
       if (!dot) return;

@@ -49,7 +49,7 @@ export function decode(bytes) {
     crc32(bytes.subarray(0, end)) !== view.getUint32(end, true),
     'The recording is damaged: its checksum does not match its contents.',
   );
-  return new Recording(header, nFrames, bytes.slice(start, end).buffer, size);
+  return new Recording(header, nFrames, new Uint8Array(bytes.subarray(start, end)).buffer, size);
 }
 
 function readHeader(bytes) {

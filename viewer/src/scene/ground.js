@@ -42,7 +42,7 @@ const FRAGMENT = `
   void main() {
     float far = length(vPlane - center) / reach;
     float fade = 1.0 - smoothstep(0.25, 0.95, far);
-    float line = max(0.42 * lines(spacing, 1.0), 0.85 * lines(10.0 * spacing, 1.3));
+    float line = max(0.3 * lines(spacing, 1.0), 0.75 * lines(10.0 * spacing, 1.3));
     float cover = gl_FrontFacing ? fill : 0.35 * fill;
     float alpha = fade * mix(cover, 1.0, line);
     if (alpha < 0.004) discard;

@@ -1,12 +1,16 @@
 // Everything that can be shown or hidden: its key, its name, and the channels it needs.
 
-/** Vector channels drawn as arrows. `axial`: in a planar scene they point along z and are drawn as arcs. */
+/**
+ * Vector channels drawn as arrows. `axial`: in a planar scene they point along z and are drawn as arcs, at radius `arc`.
+ * An arrow of ordinary size is `length` long, in units of the scene. ω is short and thick, L long and slender: where
+ * they are parallel, both are seen.
+ */
 export const VECTORS = [
-  { layer: 'omega', channel: 'angular_velocity', symbol: 'ω', color: '--omega', unit: 'rad/s', axial: true, arc: 0.95 },
-  { layer: 'momentum', channel: 'angular_momentum', symbol: 'L', color: '--momentum', unit: 'kg·m²/s', axial: true, arc: 1.15 },
-  { layer: 'velocity', channel: 'velocity', symbol: 'v', color: '--velocity', unit: 'm/s' },
-  { layer: 'force', channel: 'force', symbol: 'F', color: '--force', unit: 'N' },
-  { layer: 'torque', channel: 'torque', symbol: 'τ', color: '--torque', unit: 'N·m', axial: true, arc: 1.35 },
+  { layer: 'omega', channel: 'angular_velocity', symbol: 'ω', color: '--omega', unit: 'rad/s', length: 1.55, weight: 1.9, axial: true, arc: 1.08 },
+  { layer: 'momentum', channel: 'angular_momentum', symbol: 'L', color: '--momentum', unit: 'kg·m²/s', length: 1.9, weight: 1.1, axial: true, arc: 1.28 },
+  { layer: 'velocity', channel: 'velocity', symbol: 'v', color: '--velocity', unit: 'm/s', length: 1.7 },
+  { layer: 'force', channel: 'force', symbol: 'F', color: '--force', unit: 'N', length: 1.4 },
+  { layer: 'torque', channel: 'torque', symbol: 'τ', color: '--torque', unit: 'N·m', length: 1.6, axial: true, arc: 1.48 },
 ];
 
 export const LAYERS = [
@@ -19,9 +23,10 @@ export const LAYERS = [
   { name: 'path', key: 'p', text: 'Path of the centre of mass', color: '--path', needs: ['position'] },
   { name: 'frenet', key: 'n', text: 'Frenet frame T N B', color: '--tangent', needs: ['tangent', 'normal'] },
   { name: 'parallel', key: 'b', text: 'Parallel frame T U V', color: '--parallel', needs: ['tangent', 'parallel'] },
-  { name: 'trail', key: 's', text: 'Curves swept by the body axes', color: '--y', needs: ['rotation'] },
-  { name: 'polhode', key: 'o', text: 'Polhode, on the inertia ellipsoid', color: '--omega', needs: ['angular_velocity'], inertia: true, space: true },
-  { name: 'herpolhode', key: 'h', text: 'Herpolhode, on the invariable plane', color: '--herpolhode', needs: ['angular_velocity'], inertia: true, space: true },
+  { name: 'trail', key: 's', text: 'Trails of the body axes', color: '--y', needs: ['rotation'] },
+  { name: 'polhode', key: 'o', text: 'Polhode and ellipsoid', color: '--omega', needs: ['angular_velocity'], inertia: true, space: true },
+  { name: 'herpolhode', key: 'h', text: 'Herpolhode and plane', color: '--herpolhode', needs: ['angular_velocity'], inertia: true, space: true },
+  { name: 'follow', key: 'x', text: 'Camera goes with the body', color: '--ink-soft', needs: ['position'] },
   { name: 'grid', key: 'g', text: 'Ground grid', color: '--grid', needs: [] },
 ];
 

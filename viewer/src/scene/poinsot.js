@@ -37,7 +37,7 @@ export class Poinsot {
     const skin = new MeshStandardMaterial({
       color: theme.color('--ellipsoid'),
       transparent: true,
-      opacity: 0.22,
+      opacity: 0.13,
       roughness: 0.6,
       depthWrite: false,
       side: DoubleSide,
@@ -47,7 +47,7 @@ export class Poinsot {
     this.polhode = new Trace(
       times,
       (t) => principalOmega(recording, locate(recording, t), body, omega).map((w) => w * scale),
-      { color: theme.color('--omega'), width: 3, future: 0.35 },
+      { color: theme.color('--omega'), paper: theme.color('--stage'), width: 3 },
     );
     this.inBody.add(this.ellipsoid, this.polhode.group);
 
@@ -55,7 +55,7 @@ export class Poinsot {
     this.herpolhode = new Trace(
       times,
       (t) => vectorAt(recording, 'angular_velocity', locate(recording, t), body, omega).map((w) => w * scale),
-      { color: theme.color('--herpolhode'), width: 2.4, future: 0 },
+      { color: theme.color('--herpolhode'), width: 2.4 },
     );
     const plate = { color: theme.color('--momentum'), transparent: true, depthWrite: false, side: DoubleSide };
     this.plane = new Mesh(PLATE, new MeshBasicMaterial({ ...plate, opacity: theme.dark ? 0.2 : 0.13 }));
@@ -91,6 +91,6 @@ export class Poinsot {
     const height = (scale * twice) / size;
     this.plane.position.set(x * height, y * height, z * height);
     const reach = scale * Math.sqrt(Math.max(0, Math.hypot(...w) ** 2 - (twice / size) ** 2));
-    this.plane.scale.setScalar(Math.max(1.5 * reach, 0.6 * height));
+    this.plane.scale.setScalar(Math.max(1.6 * reach, 0.9 * height));
   }
 }

@@ -1,7 +1,7 @@
 // One recording as a three.js scene: built once, then moved to any time.
 
 import { DirectionalLight, Group, HemisphereLight, Mesh, Scene, Vector3 } from 'three';
-import { columns } from '../recording/rotation.js';
+import { columns, rotate } from '../recording/rotation.js';
 import { centerAt, locate, matrixAt, newPose, poseAt, vectorAt } from '../recording/sample.js';
 import { Arrow, ArcArrow } from './arrow.js';
 import { BodyView } from './body.js';
@@ -19,12 +19,25 @@ const MOST_CURVE_POINTS = 60_000;
 /** Arrows end here even where a diverging scheme makes the vector endless. */
 const LONGEST_ARROW = 4.5;
 
+/** Length of a body axis, in units of the scene. */
+const AXIS = 1.28;
+
+/** Where a half-space lies in the first frame; they are drawn as standing still. */
+function halfSpaceAt(recording, body, shape) {
+  const pose = newPose();
+  if (recording.nFrames) poseAt(recording, locate(recording, recording.startTime), body, pose);
+  const offset = rotate(pose.rotation, shape.position ?? [0, 0, 0], [0, 0, 0]);
+  const turned = rotate(shape.rotation ?? [1, 0, 0, 0], shape.normal ?? [0, 0, 1], [0, 0, 0]);
+  return { point: pose.position.map((x, k) => x + offset[k]), normal: rotate(pose.rotation, turned, [0, 0, 0]) };
+}
+
 export class RecordingScene {
   constructor(recording, measure, theme) {
     this.recording = recording;
     this.measure = measure;
     this.theme = theme;
     this.scene = new Scene();
+    this.lift = recording.planar ? measure.unit : 0;
     this.notes = [];
     this.growth = 1;
     this.poses = recording.bodies.map(newPose);
@@ -37,7 +50,11 @@ export class RecordingScene {
     this.bodyGroup.add(...this.bodies.map((view) => view.group));
     this.scene.add(this.bodyGroup);
     this.links = (recording.header.links ?? []).map((link) => new LinkView(link, { unit: measure.unit, theme }));
-    for (const link of this.links) this.bodyGroup.add(link.group);
+    for (const link of this.links) {
+      // Seen face on, what joins bodies and what acts on them lies in front of them.
+      link.group.position.z = this.lift;
+      this.bodyGroup.add(link.group);
+    }
     this.addShadows();
   }
 
@@ -54,11 +71,7 @@ export class RecordingScene {
     // Without bodies there is nothing to stand on.
     if (recording.bodies.length === 0) return;
     const halfSpaces = recording.bodies.flatMap((body, k) =>
-      (body.shapes ?? []).filter((shape) => shape.type === 'half_space').map((shape) => {
-        const origin = recording.nFrames ? recording.read('position', 0, k, [0, 0, 0]) : [0, 0, 0];
-        const offset = shape.position ?? [0, 0, 0];
-        return { point: origin.map((x, i) => x + offset[i]), normal: shape.normal ?? [0, 0, 1] };
-      }),
+      (body.shapes ?? []).filter((shape) => shape.type === 'half_space').map((shape) => halfSpaceAt(recording, k, shape)),
     );
     this.ground = new Ground(halfSpaces, { planar: recording.planar, level: this.gridLevel(), reach: 40 * measure.radius, theme });
     this.scene.add(this.ground.group);
@@ -109,19 +122,22 @@ export class RecordingScene {
     return moving.length <= MOST_SUBJECTS ? moving : moving.filter((k) => k === selected);
   }
 
-  /** Moves everything to time `t`. `layers` is a set of names, `selected` an index or -1. */
-  update(t, layers, selected) {
-    const { recording } = this;
+  /** Moves everything to time `t`. `layers` is a set of names, `selected` an index, `marked` whether it is outlined. */
+  update(t, layers, selected, marked) {
+    const { recording, measure } = this;
     this.notes = [];
     this.growth = 1;
-    if (!recording.nFrames) return;
+    if (!recording.bodies.length || !recording.nFrames) {
+      this.notes.push(`This recording holds no ${recording.bodies.length ? 'frames' : 'bodies'}`);
+      return;
+    }
     const at = locate(recording, t);
     const lost = [];
     recording.bodies.forEach((body, k) => {
       const pose = poseAt(recording, at, k, this.poses[k]);
       if (recording.has('matrix')) this.deform(at, k, pose);
       else columns(pose.rotation, this.matrices[k]);
-      const layer = recording.planar ? k * 1e-3 * this.measure.unit : 0;
+      const layer = recording.planar ? k * 1e-3 * measure.unit : 0;
       if (!this.bodies[k].place(this.matrices[k], pose.position, layer)) lost.push(body.name);
     });
     if (lost.length) this.notes.push(`${lost.join(', ')}: no longer a finite number`);
@@ -138,14 +154,15 @@ export class RecordingScene {
       extra.group.visible = layers.has(name) && subjects.includes(Number(body));
     }
     const veil = layers.has('polhode') || layers.has('herpolhode');
+    this.scales = veil && measure.scale.poinsot > 0 ? { ...measure.scale, omega: measure.scale.poinsot } : measure.scale;
     for (const k of subjects) {
       this.updateVectors(at, k, layers);
       this.updateFrames(at, k, layers);
       this.updateCurves(at, t, k, layers);
       const veiled = veil && this.extras.has(`polhode ${k}`);
-      this.bodies[k].fade(Math.min(this.bodies[k].look.opacity, veiled ? 0.4 : 1));
+      this.bodies[k].fade(Math.min(this.bodies[k].look.opacity, veiled ? 0.62 : 1));
     }
-    this.bodies.forEach((view, k) => view.select(k === selected && this.bodies.length > 1));
+    this.bodies.forEach((view, k) => view.select(Boolean(marked) && k === selected));
   }
 
   /** The matrix of an explicit scheme in place of a rotation. `growth` is how far its columns outgrew one. */
@@ -168,30 +185,36 @@ export class RecordingScene {
     return this.extras.get(key);
   }
 
+  /** Where the arrows of a body start. */
+  start(body) {
+    const [x, y, z] = this.poses[body].center;
+    return [x, y, z + this.lift];
+  }
+
   get arrowStyle() {
-    return { thickness: 0.02 * this.measure.unit, halo: this.theme.css('--stage') };
+    return { thickness: this.measure.thickness, halo: this.theme.css('--stage') };
   }
 
   updateVectors(at, body, layers) {
     const { recording, measure, theme, arrowStyle } = this;
-    for (const { layer, channel, symbol, color, axial, arc } of VECTORS) {
-      if (!layers.has(layer) || !recording.has(channel) || !(measure.scale[layer] > 0)) continue;
+    for (const { layer, channel, symbol, color, axial, arc, weight = 1.3 } of VECTORS) {
+      if (!layers.has(layer) || !recording.has(channel) || !(this.scales[layer] > 0)) continue;
       const arrow = this.extra(layer, body, () => {
         const style = { ...arrowStyle, color: theme.color(color), symbol };
         if (recording.planar && axial) return new ArcArrow({ ...style, radius: arc * measure.unit });
-        return new Arrow({ ...style, thickness: 1.5 * style.thickness });
+        return new Arrow({ ...style, thickness: weight * style.thickness });
       });
-      const v = vectorAt(recording, channel, at, body, [0, 0, 0]).map((x) => x * measure.scale[layer]);
+      const v = vectorAt(recording, channel, at, body, [0, 0, 0]).map((x) => x * this.scales[layer]);
       const length = Math.hypot(...v);
       const longest = LONGEST_ARROW * measure.unit;
       const shown = length > longest ? v.map((x) => (x * longest) / length) : v;
-      arrow.set(this.poses[body].center, shown);
+      arrow.set(this.start(body), shown);
     }
   }
 
   updateFrames(at, body, layers) {
     const { recording, theme, measure, arrowStyle } = this;
-    const center = this.poses[body].center;
+    const center = this.start(body);
     const triad = (name, length, colors, symbols) =>
       this.extra(name, body, () => {
         const axes = colors.map((color, k) => ({ color: theme.color(color), symbol: symbols[k] }));
@@ -199,7 +222,8 @@ export class RecordingScene {
       });
     if (layers.has('axes')) {
       const m = this.matrices[body];
-      triad('axes', 1.2, ['--x', '--y', '--z'], ['x', 'y', 'z']).set(center, [m.slice(0, 3), m.slice(3, 6), m.slice(6, 9)]);
+      const third = recording.planar ? [0, 0, 0] : m.slice(6, 9);
+      triad('axes', AXIS, ['--x', '--y', '--z'], ['x', 'y', 'z']).set(center, [m.slice(0, 3), m.slice(3, 6), third]);
     }
     if (!recording.has('tangent')) return;
     const tangent = direction(vectorAt(recording, 'tangent', at, body, [0, 0, 0]));
@@ -226,14 +250,14 @@ export class RecordingScene {
     if (layers.has('path')) {
       this.extra('path', body, () => {
         const center = (when) => centerAt(recording, locate(recording, when), body, [0, 0, 0]);
-        return new Trace(times(), center, { color: theme.color('--path'), width: 2.4 });
+        return new Trace(times(), center, { color: theme.color('--path'), paper: theme.color('--stage'), width: 2.4 });
       }).setTime(t);
     }
     if (layers.has('trail')) this.extra('trail', body, () => this.makeTrail(body, times())).setTime(t);
     const omega = recording.has('angular_velocity') && recording.bodies[body].inertia && !recording.planar;
-    if (omega && measure.scale.omega > 0 && (layers.has('polhode') || layers.has('herpolhode'))) {
+    if (omega && measure.scale.poinsot > 0 && (layers.has('polhode') || layers.has('herpolhode'))) {
       const poinsot = this.extra('polhode', body, () => {
-        const made = new Poinsot(recording, body, { scale: measure.scale.omega, theme });
+        const made = new Poinsot(recording, body, { scale: measure.scale.poinsot, theme });
         made.group = new Group();
         made.group.add(made.inBody, made.inSpace);
         return made;
@@ -256,9 +280,9 @@ export class RecordingScene {
         poseAt(recording, at, body, pose);
         if (recording.has('matrix')) matrixAt(recording, at, body, m);
         else columns(pose.rotation, m);
-        return pose.center.map((x, i) => x + 1.2 * measure.unit * m[3 * axis + i]);
+        return pose.center.map((x, i) => x + AXIS * measure.unit * m[3 * axis + i]);
       };
-      const trace = new Trace(times, tip, { color: theme.color(color), width: 1.6, future: 0 });
+      const trace = new Trace(times, tip, { color: theme.color(color), width: 1.6 });
       group.add(trace.group);
       return trace;
     });

@@ -23,8 +23,9 @@ export class Trace {
   /**
    * @param {number[]} times increasing
    * @param {(t: number) => number[]} pointAt where the pen is; a point that is not finite ends the curve
+   * @param {{color, paper?, width?: number}} style with `paper`, the colour behind, what is to come is drawn too
    */
-  constructor(times, pointAt, { color, width = 2.2, future = 0.22 }) {
+  constructor(times, pointAt, { color, paper, width = 2.2 }) {
     this.group = new Group();
     this.times = [];
     const points = [];
@@ -38,9 +39,14 @@ export class Trace {
     this.past = curve(points, { color, width });
     this.past.frustumCulled = false;
     this.group.add(this.past);
-    if (future > 0) {
-      this.future = curve(points, { color, width: width * 0.7, opacity: future });
-      this.future.renderOrder = 1;
+    // From the end backwards, so that it too can be cut at any time. Mixed with the paper and not translucent: pieces of a fat line overlap, and would show as a row of dots.
+    if (paper) {
+      const reversed = [];
+      for (let k = points.length - 3; k >= 0; k -= 3) reversed.push(points[k], points[k + 1], points[k + 2]);
+      this.future = curve(reversed, { color: color.clone().lerp(paper, 0.6), width: 0.7 * width });
+      this.future.frustumCulled = false;
+      // A closed orbit comes back to where it was: what was drawn stays in front.
+      Object.assign(this.future.material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 8 });
       this.group.add(this.future);
     }
   }
@@ -57,5 +63,6 @@ export class Trace {
     // One instance is one piece between two points.
     this.past.geometry.instanceCount = low;
     this.past.visible = low > 0;
+    if (this.future) this.future.geometry.instanceCount = this.times.length - 1 - low;
   }
 }

@@ -10,8 +10,9 @@ const GENERAL = [
   [', .', 'Slower, faster'],
   ['R', 'Repeat'],
   ['C', 'Camera back to the start'],
-  ['X', 'Camera goes with the selected body'],
   ['+ −', 'Nearer, farther'],
+  ['[ ]', 'Camera to the left, to the right'],
+  ['{ }', 'Camera down, up'],
   ['?', 'This list'],
 ];
 const POINTER = [

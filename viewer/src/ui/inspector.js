@@ -1,7 +1,7 @@
 // The numbers of one body at the current time, with units.
 
 import { locate, newPose, poseAt, vectorAt } from '../recording/sample.js';
-import { number, steady } from '../plot/numbers.js';
+import { components, number, powerOfTen } from '../plot/numbers.js';
 import { element } from './element.js';
 
 const ROWS = [
@@ -37,13 +37,14 @@ export class Inspector {
     this.rows = ROWS.map(([symbol, name, unit], k) =>
       element('tr', {}, element('th', { scope: 'row', title: name }, symbol), this.cells[k], element('td', { class: 'unit' }, unit)),
     );
+    this.table = element('table', {}, element('tbody', {}, ...this.rows));
     this.element = element(
       'section',
       { class: 'panel inspector', 'aria-label': 'The selected body' },
       element('h2', {}, 'Body'),
       element('div', { class: 'pick' }, this.body, this.which),
       this.facts,
-      element('table', {}, element('tbody', {}, ...this.rows)),
+      this.table,
     );
     this.select(0, 0);
   }
@@ -65,7 +66,9 @@ export class Inspector {
 
   update(t) {
     const recording = this.recordings[this.recordingIndex];
-    if (!recording?.bodies[this.bodyIndex] || !recording.nFrames) return;
+    const empty = !recording?.bodies[this.bodyIndex] || !recording.nFrames;
+    this.table.hidden = empty;
+    if (empty) return;
     const at = locate(recording, t);
     const state = { ...poseAt(recording, at, this.bodyIndex, this.pose) };
     state.center = state.center.map((x, k) => x + recording.origin[k]);
@@ -75,7 +78,10 @@ export class Inspector {
     ROWS.forEach(([, , , get], k) => {
       const values = get(state);
       this.rows[k].hidden = !values;
-      if (values) this.cells[k].replaceChildren(...values.map((x) => element('span', {}, steady(x))));
+      if (!values) return;
+      const { texts, power } = components(values);
+      const spans = texts.map((text) => element('span', {}, text));
+      this.cells[k].replaceChildren(...spans, ...(power ? [element('span', {}, `×${powerOfTen(power)}`)] : []));
     });
   }
 }

@@ -2,6 +2,7 @@
 // what is side by side is drawn to one scale.
 
 import { bodyRadius } from '../scene/body.js';
+import { principalOmega } from '../recording/sample.js';
 import { VECTORS } from '../scene/layers.js';
 
 const LOOKS = 240;
@@ -78,9 +79,11 @@ function turnsAtAll(recording) {
 
 /**
  * `{ center, radius, low, unit, travels, turns, scale }`: lengths in metres relative to the recordings' origin;
- * `unit` is the radius of an ordinary moving body, `scale[layer]` the metres drawn per unit of a vector.
+ * `unit`, the size of arrows, is the radius of an ordinary moving body, or more where that would be a dot in the whole
+ * scene (not when `near`: the camera is with the body); `thickness` is
+ * the radius of their shafts; `scale[layer]` is the metres drawn per unit of a vector.
  */
-export function measure(recordings) {
+export function measure(recordings, near = false) {
   const found = recordings.flatMap((recording) => withoutOutliers(gather(recording)));
   const low = [0, 1, 2].map((k) => Math.min(...found.map(({ point, radius }) => point[k] - radius)));
   const high = [0, 1, 2].map((k) => Math.max(...found.map(({ point, radius }) => point[k] + radius)));
@@ -91,25 +94,54 @@ export function measure(recordings) {
   let radius = Math.hypot(...high.map((x, k) => x - low[k])) / 2;
   if (!(radius > 0)) radius = 1;
   const body = median(sizes) || biggest || radius / 2;
-  const unit = Math.max(body, 0.05 * radius);
-  const spread = found.filter(({ moving }) => moving).map(({ point }) => point);
-  const span = [0, 1, 2].map((k) => Math.max(...spread.map((p) => p[k])) - Math.min(...spread.map((p) => p[k])));
+  const unit = near ? body : Math.max(body, 0.08 * radius);
   const scale = {};
-  for (const { layer, channel } of VECTORS) {
+  for (const { layer, channel, length } of VECTORS) {
     const size = ordinary(recordings, channel);
-    scale[layer] = size > 0 ? (1.45 * unit) / size : 0;
+    scale[layer] = size > 0 ? (length * unit) / size : 0;
   }
+  // ω ends on the energy ellipsoid. A long ellipsoid would leave the view: while it is shown, both are drawn smaller.
+  const longest = longestSemiAxis(recordings);
+  scale.poinsot = longest > 0 ? Math.max(0.65 * scale.omega, Math.min(scale.omega, (1.7 * unit) / longest)) : 0;
   return {
     center,
     low,
+    ellipsoid: scale.poinsot * longest,
     radius: Math.max(radius, 1.35 * unit),
+    spheres: toShow(found, center, unit),
     unit,
+    thickness: Math.max(0.018 * unit, near ? 0 : 0.0035 * radius),
     scale,
     travels: recordings.some((recording) => recording.bodies.some((b, k) => b.kind !== 'fixed' && wanders(recording, k, body))),
     turns: recordings.some(turnsAtAll),
-    // A body small against its way is a dot when all is in view: the camera goes with it.
-    follow: spread.length > 0 && Math.hypot(...span) > 40 * body,
   };
+}
+
+/** The longest semi-axis of an energy ellipsoid, √(2T / least moment) [rad/s]; 0 where there is none. */
+function longestSemiAxis(recordings) {
+  let most = 0;
+  for (const recording of recordings) {
+    if (recording.planar || !recording.has('angular_velocity')) continue;
+    recording.bodies.forEach(({ inertia, kind }, body) => {
+      if (kind === 'fixed' || !inertia || !(Math.min(...inertia) > 0)) return;
+      const axes = sampleFrames(recording).map((frame) => {
+        const w = principalOmega(recording, { frame, next: frame, u: 0, dt: 0 }, body, [0, 0, 0]);
+        const twice = inertia.reduce((sum, moment, k) => sum + moment * w[k] ** 2, 0);
+        return Math.sqrt(twice / Math.min(...inertia));
+      });
+      most = Math.max(most, median(axes.filter(Number.isFinite)));
+    });
+  }
+  return most;
+}
+
+/** What the first view must hold: bodies wherever they go, with room for the arrows on moving ones. */
+function toShow(found, center, unit) {
+  if (!found.length) return [{ point: center, radius: 1 }];
+  const stride = Math.ceil(found.length / 1500);
+  return found
+    .filter((_, k) => k % stride === 0)
+    .map(({ point, radius, moving }) => ({ point, radius: moving ? Math.max(radius, 1.32 * unit) : radius }));
 }
 
 function wanders(recording, body, size) {

@@ -8,6 +8,7 @@ import { readTheme } from '../scene/theme.js';
 import { number } from '../plot/numbers.js';
 import { Cell } from './cell.js';
 import { Gestures } from './gestures.js';
+import { measure } from './measure.js';
 import { Rig } from './rig.js';
 
 const MOST_PIXELS_PER_PIXEL = 2;
@@ -15,18 +16,18 @@ const TURN = 0.0075;
 
 export class Stage {
   /** Throws where the browser has no WebGL. `ask` is told of clicks and of the need to draw again. */
-  constructor(container, recordings, measure, colors, ask) {
+  constructor(container, recordings, colors, ask) {
     this.container = container;
     this.recordings = recordings;
-    this.measure = measure;
     this.ask = ask;
     this.following = false;
+    this.measures = [measure(recordings), measure(recordings, true)];
     this.canvas = document.createElement('canvas');
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true, stencil: true });
     this.renderer.setScissorTest(true);
     this.renderer.autoClear = false;
     const planar = recordings.every((recording) => recording.planar);
-    this.rig = new Rig({ planar, ...this.home(false) });
+    this.rig = new Rig({ planar, ...this.home() });
     this.cells = recordings.map((recording, k) =>
       new Cell({
         label: recordings.length > 1 ? recording.label || `Recording ${k + 1}` : '',
@@ -50,16 +51,27 @@ export class Stage {
     this.resize();
   }
 
-  /** What fills the view: the whole scene, or a body and its surroundings when the camera goes with it. */
-  home(following) {
-    const { center, radius, unit } = this.measure;
-    return { center, radius: following ? 5 * unit : radius };
+  /**
+   * What fills the view: the whole scene, or a body and its surroundings when the camera goes with it; in either case
+   * with room for the ellipsoids while they are shown.
+   */
+  home() {
+    const { center, spheres, unit, ellipsoid } = this.measure;
+    const wanted = this.following ? [{ point: center, radius: 3.5 * unit }] : spheres;
+    const room = this.ellipsoids ? 1.05 * ellipsoid : 0;
+    return { center, spheres: wanted.map(({ point, radius }) => ({ point, radius: Math.max(radius, room) })) };
   }
 
+  get measure() {
+    return this.measures[this.following ? 1 : 0];
+  }
+
+  /** With the camera near a body, arrows are in its size and no longer in that of the whole scene. */
   follow(following) {
     this.following = following;
-    this.rig.home.radius = this.home(following).radius;
+    this.rig.setHome(this.home());
     this.rig.pan.set(0, 0, 0);
+    if (this.measures[0].unit !== this.measures[1].unit) this.rebuild();
   }
 
   /** Colours are baked into materials, so a change of theme builds the scenes again. */
@@ -93,9 +105,15 @@ export class Stage {
     return { left: one.left - all.left, top: one.top - all.top, width: one.width, height: one.height };
   }
 
-  update(t, layers, selected) {
+  update(t, layers, selected, marked) {
+    if (layers.has('follow') !== this.following) this.follow(!this.following);
+    const ellipsoids = layers.has('polhode') || layers.has('herpolhode');
+    if (ellipsoids !== this.ellipsoids) {
+      this.ellipsoids = ellipsoids;
+      this.rig.setHome(this.home());
+    }
     this.views.forEach((view, k) => {
-      view.update(t, layers, selected);
+      view.update(t, layers, selected, marked);
       const notes = [...view.notes];
       if (view.growth > 1.3) notes.push(`The body has grown ×${number(view.growth, 3)}; this view is zoomed out to keep it in sight`);
       this.cells[k].setNotes(notes);
