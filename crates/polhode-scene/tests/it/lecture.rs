@@ -29,7 +29,7 @@ fn scenes() -> BTreeMap<String, SceneFile> {
     found
 }
 
-/// The rows of the page's table: number, and the paths of the scenes that the last cell names.
+/// The rows of the page's tables: number, and what the last cell has between backticks.
 fn rows() -> Vec<(u32, Vec<String>)> {
     let page = fs::read_to_string(repository().join("docs/book/lecture.md")).expect("the page is there");
     let table = page.lines().filter_map(|line| {
@@ -37,7 +37,7 @@ fn rows() -> Vec<(u32, Vec<String>)> {
         let number = cells.first()?.parse().ok()?;
         assert_eq!(cells.len(), 6, "row {number} has as many cells as the header");
         let spans = cells[4].split('`').skip(1).step_by(2);
-        Some((number, spans.filter(|span| span.ends_with(".toml")).map(str::to_owned).collect()))
+        Some((number, spans.map(str::to_owned).collect()))
     });
     table.collect()
 }
@@ -48,11 +48,16 @@ fn every_scene_is_read_and_explains_itself() {
     assert!(scenes.len() > 40, "only {} scenes", scenes.len());
     for (path, file) in scenes {
         let scene = &file.scene;
-        for (key, text) in [("title", &scene.title), ("explanation", &scene.explanation), ("look_for", &scene.look_for)] {
+        for (key, text) in [("title", &scene.title), ("explanation", &scene.explanation), ("look_for", &scene.look_for)]
+        {
             assert!(!text.trim().is_empty(), "{path} has no {key}");
         }
         assert!(scene.explanation.trim().lines().count() <= 2, "{path}: the explanation is longer than two lines");
-        assert_eq!(path.starts_with("scenes/lecture/"), path != "scenes/mesh.toml" && !scene.row.is_empty(), "{path}: row");
+        assert_eq!(
+            path.starts_with("scenes/lecture/"),
+            path != "scenes/mesh.toml" && !scene.row.is_empty(),
+            "{path}: row"
+        );
     }
 }
 
@@ -62,13 +67,27 @@ fn the_page_has_every_row_of_the_lecture_once() {
     assert_eq!(numbers, (1..=57).collect::<Vec<u32>>());
 }
 
+/// `path/to/file.rs::test` is a test of that file, and another path is there.
+#[test]
+fn what_the_page_names_is_there() {
+    let root = repository();
+    for (number, named) in rows() {
+        for name in named.iter().filter(|name| name.contains('/')) {
+            let (path, test) = name.split_once("::").unwrap_or((name, ""));
+            let text = fs::read_to_string(root.join(path)).ok().or_else(|| root.join(path).is_dir().then(String::new));
+            let text = text.unwrap_or_else(|| panic!("row {number}: there is no {path}"));
+            assert!(test.is_empty() || text.contains(&format!("fn {test}(")), "row {number}: {path} has no {test}");
+        }
+    }
+}
+
 /// A row names the scenes that show it, and those say that they do.
 #[test]
 fn rows_and_scenes_name_each_other() {
     let scenes = scenes();
     let rows = rows();
     for (number, named) in &rows {
-        for path in named {
+        for path in named.iter().filter(|name| name.ends_with(".toml")) {
             let file = scenes.get(path).unwrap_or_else(|| panic!("row {number}: there is no {path}"));
             assert!(file.scene.row.contains(number), "row {number} names {path}, which does not name the row");
         }
