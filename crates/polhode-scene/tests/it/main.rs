@@ -2,4 +2,5 @@
 
 mod mesh;
 mod recording;
+mod run;
 mod scene;
