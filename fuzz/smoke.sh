@@ -15,7 +15,7 @@ if [ -n "${ASAN:-}" ]; then
     flags+=" -Zsanitizer=address"
 fi
 # With --target, build scripts and macros are not instrumented.
-RUSTFLAGS="$flags" cargo build --quiet --locked --release --target "$target"
+RUSTFLAGS="$flags" cargo build --quiet --release --target "$target"
 
 mkdir -p artifacts
 failed=0

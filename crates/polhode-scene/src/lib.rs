@@ -7,8 +7,10 @@ mod decode;
 mod error;
 pub mod mesh;
 pub mod recording;
+pub mod run;
 pub mod scene;
 
 pub use error::{Problem, SceneError};
 pub use recording::Recording;
+pub use run::Run;
 pub use scene::{Scene, SceneFile, schema};

@@ -1,7 +1,9 @@
 //! What one table cannot know: names that refer to each other, and keys that exclude each other.
 
-use super::{Body, Field, Force, Kind, Parts, Scene, Variant};
+use super::{Body, Buoyancy, Central, Field, Force, Kind, LinearDrag, Parts, QuadraticDrag, Scene, Settings, Variant};
 use crate::error::nearest;
+use crate::run::Quantity;
+use polhode::integrate::Integrator;
 use std::collections::BTreeMap;
 
 /// A path in the scene, what is wrong there, and what would be right.
@@ -22,6 +24,10 @@ pub(crate) fn scene(scene: &Scene) -> Vec<Finding> {
             found.push((format!("compare[{i}].label"), message, None));
         }
     }
+    check_integrators(&scene.settings, "", &mut found);
+    for (i, compare) in scene.compare.iter().enumerate() {
+        check_integrators(&compare.settings, &format!("compare[{i}]"), &mut found);
+    }
     // The scene's own parts are looked at once, and again with the parts that a variant replaces.
     check_parts(&scene.parts, &Default::default(), &mut found);
     for (i, variant) in scene.variants().iter().enumerate() {
@@ -38,6 +44,9 @@ pub(crate) fn scene(scene: &Scene) -> Vec<Finding> {
         if plot.series.is_empty() {
             found.push((format!("plot[{i}].series"), "a plot needs a series".to_owned(), None));
         }
+        for (k, name) in plot.series.iter().enumerate() {
+            check_series(scene, name, &format!("plot[{i}].series[{k}]"), &mut found);
+        }
     }
     found.dedup();
     found
@@ -48,6 +57,37 @@ fn under(outer: &str, inner: &str) -> String {
     match (outer, inner) {
         ("", path) | (path, "") => path.to_owned(),
         _ => format!("{outer}.{inner}"),
+    }
+}
+
+fn check_series(scene: &Scene, name: &str, path: &str, found: &mut Vec<Finding>) {
+    match Quantity::parse(name) {
+        Err((message, help)) => found.push((path.to_owned(), message, help)),
+        Ok(Quantity::Body(body, _)) => {
+            let before = found.len();
+            for variant in scene.variants() {
+                Names::of(&variant.parts).refer(&body, path, true, found);
+                // Once is enough: the variants mostly have the same bodies.
+                if found.len() > before {
+                    break;
+                }
+            }
+        }
+        Ok(Quantity::Scene(_)) => {}
+    }
+}
+
+fn check_integrators(settings: &Settings, path: &str, found: &mut Vec<Finding>) {
+    for (key, name) in [("integrator", &settings.integrator), ("reference", &settings.reference)] {
+        let Some(name) = name else { continue };
+        let Err(e) = name.parse::<Integrator>() else { continue };
+        let (prefix, base) = name.split_once(':').map_or(("", name.as_str()), |(prefix, base)| (prefix, base));
+        let guess = nearest(base, Integrator::names().map(|(known, _)| known)).filter(|guess| *guess != base);
+        let help = guess.map(|guess| {
+            let colon = if prefix.is_empty() { "" } else { ":" };
+            format!("did you mean \"{prefix}{colon}{guess}\"?")
+        });
+        found.push((under(path, key), e.message().chars().take(600).collect(), help));
     }
 }
 
@@ -85,11 +125,13 @@ fn check_parts(parts: &Parts, [bodies, forces, fields, pins]: &[String; 4], foun
     for (i, field) in parts.field.iter().enumerate() {
         let path = under(fields, &format!("field[{i}]"));
         match field {
-            Field::LinearDrag(drag) => names.refer_all(&drag.bodies, &path, found),
-            Field::QuadraticDrag(drag) => names.refer_all(&drag.bodies, &path, found),
+            Field::Central(Central { only, .. })
+            | Field::LinearDrag(LinearDrag { only, .. })
+            | Field::QuadraticDrag(QuadraticDrag { only, .. })
+            | Field::Buoyancy(Buoyancy { only, .. }) => names.refer_all(only.as_deref(), &path, found),
             Field::Spring(spring) => names.refer_pair(&spring.a, spring.b.as_deref(), &path, found),
             Field::TorsionSpring(spring) => names.refer_pair(&spring.a, spring.b.as_deref(), &path, found),
-            Field::Central(_) | Field::Buoyancy(_) | Field::MutualGravity(_) => {}
+            Field::MutualGravity(_) => {}
         }
     }
     for (i, pin) in parts.pin.iter().enumerate() {
@@ -152,9 +194,9 @@ impl<'a> Names<'a> {
         found.push((path.to_owned(), problem.0, problem.1));
     }
 
-    fn refer_all(&self, bodies: &[String], path: &str, found: &mut Vec<Finding>) {
-        for (i, name) in bodies.iter().enumerate() {
-            self.refer(name, &format!("{path}.bodies[{i}]"), false, found);
+    fn refer_all(&self, bodies: Option<&[String]>, path: &str, found: &mut Vec<Finding>) {
+        for (i, name) in bodies.unwrap_or_default().iter().enumerate() {
+            self.refer(name, &format!("{path}.only[{i}]"), false, found);
         }
     }
 

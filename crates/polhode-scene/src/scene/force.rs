@@ -47,7 +47,8 @@ table! {
         body: String;
         /// The point in body coordinates [m].
         point: [f64; 3] = [0.0, 0.0, 0.0];
-        /// Where it is held, world coordinates [m]; where it is at the start if absent.
+        /// Where it is held, world coordinates [m]: the body starts with the point there, whatever its `position`. If absent,
+        /// where it is at the start.
         at: Option<[f64; 3]>;
     }
 }
@@ -72,6 +73,8 @@ table! {
         center: [f64; 3] = [0.0, 0.0, 0.0];
         /// Gravitational parameter μ [m³/s²]; negative repels.
         mu: f64;
+        /// Bodies it acts on; all if absent.
+        only: Option<Vec<String>>;
     }
 }
 
@@ -79,31 +82,39 @@ table! {
     /// Drag proportional to velocity and to angular velocity.
     "a drag" LinearDrag {
         /// Force per velocity [N·s/m].
-        translation: f64, nonnegative = 0.0;
-        /// Torque per angular velocity [N·m·s].
-        rotation: f64, nonnegative = 0.0;
-        /// Bodies it acts on; all if empty.
-        bodies: Vec<String>;
+        linear: f64, nonnegative = 0.0;
+        /// Torque per angular velocity [N·m·s/rad].
+        angular: f64, nonnegative = 0.0;
+        /// Velocity of the medium [m/s].
+        wind: [f64; 3] = [0.0, 0.0, 0.0];
+        /// Bodies it acts on; all if absent.
+        only: Option<Vec<String>>;
     }
 }
 
 table! {
-    /// Drag proportional to the square of the speed.
+    /// Drag proportional to the squares of speed and of angular speed.
     "a drag" QuadraticDrag {
         /// Force per squared speed [N·s²/m²]: half of density × drag coefficient × area.
-        coefficient: f64, nonnegative;
-        /// Bodies it acts on; all if empty.
-        bodies: Vec<String>;
+        linear: f64, nonnegative = 0.0;
+        /// Torque per squared angular speed [N·m·s²/rad²].
+        angular: f64, nonnegative = 0.0;
+        /// Velocity of the medium [m/s].
+        wind: [f64; 3] = [0.0, 0.0, 0.0];
+        /// Bodies it acts on; all if absent.
+        only: Option<Vec<String>>;
     }
 }
 
 table! {
-    /// The lift of a fluid at rest on the spheres and cuboids that are in it.
+    /// The lift of a fluid at rest on bodies of spheres and cuboids.
     "a fluid" Buoyancy {
         /// Density of the fluid [kg/m³].
-        density: f64, positive = 1000.0;
-        /// Height of its surface, z [m].
-        surface: f64 = 0.0;
+        density: f64, nonnegative = 1000.0;
+        /// Height of its surface above the origin, against gravity [m].
+        level: f64 = 0.0;
+        /// Bodies it acts on; all if absent.
+        only: Option<Vec<String>>;
     }
 }
 
@@ -123,7 +134,7 @@ table! {
         /// Damping [N·s/m].
         damping: f64, nonnegative = 0.0;
         /// Length without force [m]; the length at the start if absent.
-        length: Option<f64>, nonnegative;
+        rest_length: Option<f64>, nonnegative;
     }
 }
 

@@ -66,7 +66,7 @@ table! {
 table! {
     /// How a scene is computed. What is absent has its default, or in a variant the scene's value.
     "settings" Settings {
-        /// Gravity: a vector [m/s²], or one number g for (0, 0, −g); 9.81 if absent.
+        /// Gravity: a vector [m/s²], or one number, how strongly it pulls down (−z; planar: −y); 9.81 if absent.
         gravity: Option<Gravity>;
         /// How long the run is [s]; 10 if absent.
         time: Option<f64>, positive;
@@ -76,7 +76,7 @@ table! {
         integrator: Option<String>;
         /// Time between two recorded frames [s]; about 1/60, and never less than a step, if absent.
         frame_interval: Option<TimeStep>, positive;
-        /// Integrator of a second run, at a hundredth of the step, that attitudes are compared with.
+        /// Integrator of a second run, at a tenth of the step, that attitudes are compared with.
         reference: Option<String>;
         /// Formulas that are used as the lecture's slides print them.
         slides: Option<Vec<Slide>>;
@@ -120,7 +120,7 @@ table! {
     "a plot" Plot {
         /// What it is called.
         title: String;
-        /// Names of the series: `energy`, `momentum`, … or `BODY.x`, `BODY.speed`, …
+        /// Names of the series: of the whole scene such as `energy`, or of a body such as `top.speed`.
         series: Vec<String>;
         /// Unit on the axis.
         unit: String = "";
@@ -248,10 +248,10 @@ impl Settings {
         }
     }
 
-    fn resolved(self) -> Resolved {
+    fn resolved(self, planar: bool) -> Resolved {
         let dt = self.dt.map_or(1.0 / 60.0, |dt| dt.0);
         Resolved {
-            gravity: self.gravity.map_or(Vec3::new(0.0, 0.0, -9.81), |gravity| gravity.0),
+            gravity: self.gravity.unwrap_or(Gravity::Down(9.81)).vector(planar),
             time: self.time.unwrap_or(10.0),
             dt,
             integrator: self.integrator.unwrap_or_else(|| DEFAULT_INTEGRATOR.to_owned()),
@@ -266,7 +266,7 @@ impl Scene {
     /// The runs of this scene: one for each `[[compare]]`, or the scene itself if there is none.
     pub fn variants(&self) -> Vec<Variant> {
         if self.compare.is_empty() {
-            let settings = self.settings.clone().resolved();
+            let settings = self.settings.clone().resolved(self.planar);
             let label = settings.integrator.clone();
             return vec![Variant { label, settings, parts: self.parts.clone(), places: Default::default() }];
         }
@@ -277,7 +277,7 @@ impl Scene {
         let own = |stated: bool| if stated { format!("compare[{i}]") } else { String::new() };
         Variant {
             label: compare.label.clone(),
-            settings: compare.settings.over(&self.settings).resolved(),
+            settings: compare.settings.over(&self.settings).resolved(self.planar),
             parts: Parts {
                 body: compare.body.clone().unwrap_or_else(|| self.parts.body.clone()),
                 force: compare.force.clone().unwrap_or_else(|| self.parts.force.clone()),

@@ -33,15 +33,31 @@ impl<T: Decode> Decode for OneOrMany<T> {
     }
 }
 
-/// Gravity: a vector [m/s²], or one number g for (0, 0, −g).
+/// Gravity: a vector [m/s²], or one number, how strongly it pulls down: along −z, in a planar scene along −y.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gravity(pub Vec3);
+pub enum Gravity {
+    /// World axes [m/s²].
+    Vector(Vec3),
+    /// Downwards [m/s²].
+    Down(f64),
+}
+
+impl Gravity {
+    /// World axes [m/s²].
+    pub fn vector(self, planar: bool) -> Vec3 {
+        match self {
+            Self::Vector(g) => g,
+            Self::Down(g) if planar => Vec3::new(0.0, -g, 0.0),
+            Self::Down(g) => Vec3::new(0.0, 0.0, -g),
+        }
+    }
+}
 
 impl Decode for Gravity {
     fn decode(item: &Item, out: &mut Sink) -> Option<Self> {
         match item.value {
-            DeValue::Array(_) => <[f64; 3]>::decode(item, out).map(|g| Self(g.into())),
-            _ => f64::decode(item, out).map(|g| Self(Vec3::new(0.0, 0.0, -g))),
+            DeValue::Array(_) => <[f64; 3]>::decode(item, out).map(|g| Self::Vector(g.into())),
+            _ => f64::decode(item, out).map(Self::Down),
         }
     }
     fn schema(definitions: &mut Definitions) -> Json {

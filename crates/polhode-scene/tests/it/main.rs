@@ -3,4 +3,5 @@
 mod lecture;
 mod mesh;
 mod recording;
+mod run;
 mod scene;

@@ -76,7 +76,7 @@ fn a_scene_is_read() {
     assert!(matches!(&racket.shape[1].form, Form::Cylinder(c) if c.length == 0.35));
     assert_eq!(scene.parts.body[2].kind, Kind::Fixed);
     assert!(
-        matches!(&scene.parts.field[0], Field::Spring(s) if s.length.is_none() && s.b.as_deref() == Some("dust.7"))
+        matches!(&scene.parts.field[0], Field::Spring(s) if s.rest_length.is_none() && s.b.as_deref() == Some("dust.7"))
     );
     let variants = scene.variants();
     assert_eq!(variants.len(), 2);
@@ -158,6 +158,9 @@ fn refusals_say_what_is_wrong_and_where() {
         ("dt = 1e-12".to_owned(), "1e13 steps", "(dt)"),
         ("frame_interval = 1e-7".to_owned(), "1e8 frames", "(frame_interval)"),
         ("gravity = [0, 0]".to_owned(), "expected an array of 3, found an array of 2", "(gravity)"),
+        ("integrator = 'pdvm6'".to_owned(), "`pdvm6` is not one of pdmv6", "did you mean \"pdmv6\"?"),
+        ("reference = 'suzuki4:rk4'".to_owned(), "is not symmetric", "(reference)"),
+        ("[[compare]]\nlabel = 'a'\nintegrator = 'x'".to_owned(), "`x` is not one of", "(compare[0].integrator)"),
         ("slides = ['torque-sing']".to_owned(), "did you mean \"torque-sign\"?", "slides[0]"),
         ("[[body]]\nshape = { type = 'sphere', radius = 1 }".to_owned(), "missing key `name` in a body", "test.toml:1"),
         (body(""), "a dynamic body needs a mass", "(body[0])"),
