@@ -22,7 +22,11 @@ struct Chapter {
 }
 
 const CHAPTERS: [Chapter; 6] = [
-    Chapter { title: "Start here", about: "What the engine does, at a glance.", holds: |e| e.group.is_empty() },
+    Chapter {
+        title: "Start here",
+        about: "What the engine does, at a glance.",
+        holds: |e| e.scene == "scenes/tower.toml",
+    },
     Chapter {
         title: "Motion along a path",
         about: "Particles and bodies; position, velocity, acceleration; the frames of a path, and why none of them is the \
@@ -52,7 +56,7 @@ const CHAPTERS: [Chapter; 6] = [
 ];
 
 fn first_row(entry: &Entry, from: u32, to: u32) -> bool {
-    entry.group == "lecture" && entry.rows.first().is_some_and(|row| (from..=to).contains(row))
+    entry.group != "gallery" && entry.rows.first().is_some_and(|row| (from..=to).contains(row))
 }
 
 /// `row 40`, `rows 40, 55`, or nothing.
@@ -125,7 +129,7 @@ mod tests {
             rows: rows.to_vec(),
         };
         let entries = [
-            entry("", &[], "one"),
+            entry("", &[], "tower"),
             entry("lecture", &[41, 42], "two"),
             entry("gallery", &[], "three"),
             entry("odd", &[], "four"),
