@@ -1,3 +1,5 @@
-//! The polhode command.
+//! The polhode command; all of it is in the library of the same name.
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    polhode_cli::main()
+}

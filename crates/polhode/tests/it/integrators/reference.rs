@@ -19,6 +19,10 @@ impl FreeTop {
     pub(super) fn fastest(&self) -> f64 {
         self.rows.iter().map(|(_, _, w)| w.length()).fold(0.0, f64::max)
     }
+    /// The attitude at `t`, which must be a stored time.
+    pub(super) fn attitude_at(&self, t: f64) -> Quat {
+        self.rows.iter().find(|row| row.0 == t).expect("a stored time").1
+    }
 }
 
 pub(super) fn numbers(value: &Value) -> Vec<f64> {

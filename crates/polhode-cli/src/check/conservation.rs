@@ -1,0 +1,2 @@
+use super::suite::Check;
+pub(super) const CHECKS: &[Check] = &[];
