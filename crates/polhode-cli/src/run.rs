@@ -3,8 +3,9 @@
 use crate::terminal::{FAINT, HEADING, styled};
 use crate::{Outcome, Progress, Refusal, Terminal};
 use polhode_scene::recording::{PageInfo, Recording, page, write_csv};
-use polhode_scene::scene::{Compare, TimeStep};
-use polhode_scene::{Run, SceneFile, Summary};
+use polhode_scene::run::Summary;
+use polhode_scene::scene::{Compare, Settings, TimeStep};
+use polhode_scene::{Run, SceneFile};
 use std::fs::File;
 use std::io::{self, BufWriter, Cursor, Write};
 use std::ops::ControlFlow;
@@ -28,7 +29,7 @@ pub struct Arguments {
     /// The time step [s], a number or a quotient such as 1/240, instead of the scene's
     #[arg(long, value_name = "H", value_parser = seconds)]
     dt: Option<f64>,
-    /// The integrator, instead of the scene's; several go side by side. `polhode run --integrators` lists them
+    /// The integrator, instead of the scene's; several go side by side.
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     integrator: Vec<String>,
     /// Threads of a step; they change no result
@@ -104,10 +105,13 @@ impl Arguments {
             }
         }
         if self.integrator.len() > 1 {
-            let side = |name: &String| {
-                let mut compare = Compare { label: name.clone(), ..Compare::default() };
-                compare.settings.integrator = Some(name.clone());
-                compare
+            let side = |name: &String| Compare {
+                settings: Settings { integrator: Some(name.clone()), ..scene.settings.clone() },
+                label: name.clone(),
+                body: None,
+                force: None,
+                field: None,
+                pin: None,
             };
             scene.compare = self.integrator.iter().map(side).collect();
         }
@@ -115,8 +119,9 @@ impl Arguments {
     }
 
     fn require_a_page_that_opens(&self, runs: &[Run]) -> Result<(), Refusal> {
-        let size: u64 = runs.iter().map(Run::recording_bytes).sum::<u64>() * 4 / 3;
-        if size <= LARGEST_PAGE {
+        let size: u64 = runs.iter().map(|run| run.header().frame_bytes(run.n_frames())).fold(0, u64::saturating_add);
+        // Base64 writes four bytes for three.
+        if size / 3 * 4 <= LARGEST_PAGE {
             return Ok(());
         }
         Err(Refusal::Input(format!(

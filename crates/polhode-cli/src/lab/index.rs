@@ -22,11 +22,7 @@ struct Chapter {
 }
 
 const CHAPTERS: [Chapter; 6] = [
-    Chapter {
-        title: "Start here",
-        about: "What the engine does, at a glance.",
-        holds: |e| e.group.is_empty(),
-    },
+    Chapter { title: "Start here", about: "What the engine does, at a glance.", holds: |e| e.group.is_empty() },
     Chapter {
         title: "Motion along a path",
         about: "Particles and bodies; position, velocity, acceleration; the frames of a path, and why none of them is the \
@@ -48,7 +44,11 @@ const CHAPTERS: [Chapter; 6] = [
         about: "One step after another: which schemes gain energy, lose it, or leave the rotations.",
         holds: |e| first_row(e, 41, 42),
     },
-    Chapter { title: "Gallery", about: "Tops, orbits, floats: the same engine, beyond the lecture.", holds: |e| e.group == "gallery" },
+    Chapter {
+        title: "Gallery",
+        about: "Tops, orbits, floats: the same engine, beyond the lecture.",
+        holds: |e| e.group == "gallery",
+    },
 ];
 
 fn first_row(entry: &Entry, from: u32, to: u32) -> bool {
@@ -124,8 +124,12 @@ mod tests {
             explanation: "a < b".into(),
             rows: rows.to_vec(),
         };
-        let entries =
-            [entry("", &[], "one"), entry("lecture", &[41, 42], "two"), entry("gallery", &[], "three"), entry("odd", &[], "four")];
+        let entries = [
+            entry("", &[], "one"),
+            entry("lecture", &[41, 42], "two"),
+            entry("gallery", &[], "three"),
+            entry("odd", &[], "four"),
+        ];
         let page = html(&entries);
         for entry in &entries {
             assert_eq!(page.matches(&format!("href=\"{}\"", entry.href)).count(), 1);
