@@ -24,10 +24,10 @@ pub struct Arguments {
     /// The scene, a TOML file
     scene: PathBuf,
     /// How long to simulate [s], instead of the scene's time
-    #[arg(long, value_name = "S", value_parser = seconds)]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     time: Option<f64>,
     /// The time step [s], a number or a quotient such as 1/240, instead of the scene's
-    #[arg(long, value_name = "H", value_parser = seconds)]
+    #[arg(long, value_name = "H", value_parser = seconds, allow_negative_numbers = true)]
     dt: Option<f64>,
     /// The integrator, instead of the scene's; several go side by side.
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
