@@ -29,13 +29,13 @@ export function publish(page) {
       player.seek(t);
       page.paint();
     },
-    toggle(name, on) {
-      page.toggle(name, on);
-      page.paint();
-    },
+    toggle: (name, on) => page.toggle(name, on),
     select: (body, recording = 0) => page.select(recording, body),
-    /** Per view: variance of the picture and share of it that bodies cover. Empty without WebGL. */
-    pixels: () => page.stage?.pixels() ?? [],
+    /** Per view: `variance` of the picture, `bodyPixels` and `bodyShare` that bodies cover. Empty without WebGL. */
+    pixels() {
+      page.paint();
+      return page.stage?.pixels() ?? [];
+    },
     /** Per plot: how many points its curves have, and how long they are in pixels. */
     plots: () =>
       page.plots.map((plot) => ({

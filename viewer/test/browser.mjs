@@ -38,7 +38,8 @@ export async function opener(browser) {
     async open(html, { context, ...options } = {}) {
       const file = join(folder, `${count++}.html`);
       await writeFile(file, html);
-      const page = await (context ?? browser).newPage(context ? {} : { viewport: { width: 640, height: 720 }, reducedMotion: 'reduce', ...options });
+      const page = await (context ?? browser).newPage(context ? {} : { viewport: { width: 420, height: 560 }, reducedMotion: 'reduce', ...options });
+      page.setDefaultTimeout(20_000);
       page.errors = watchErrors(page);
       await page.goto(pathToFileURL(file).href);
       await ready(page);

@@ -1,7 +1,12 @@
 // The built page in headless Chromium.
 
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
+import { execFile } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
+import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
 import { page as buildPage } from '../build.mjs';
 import { launch, opener } from './browser.mjs';
@@ -9,7 +14,7 @@ import * as scenes from './scenes.mjs';
 import { pageOf } from './write.mjs';
 
 // A grid alone gives a picture variance of about 1e-3; bodies are judged with all else hidden.
-const BLANK = { variance: 1e-4, bodyShare: 2e-4 };
+const BLANK = { variance: 1e-4, bodyPixels: 20 };
 
 let browser;
 let pages;
@@ -27,7 +32,7 @@ async function open(recordings, { words, ...options } = {}) {
   return page;
 }
 
-const notBlank = ({ variance, bodyShare }) => variance > BLANK.variance && bodyShare > BLANK.bodyShare;
+const notBlank = ({ variance, bodyPixels }) => variance > BLANK.variance && bodyPixels > BLANK.bodyPixels;
 const picture = (page) => page.locator('.views').screenshot();
 const state = (page) => page.evaluate(() => ({ time: polhode.time, playing: polhode.playing, layers: polhode.layers, selected: polhode.selected }));
 const frame = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -155,7 +160,7 @@ test('nothing is wider than the window at 360 and at 1600 px; views stack on a p
 });
 
 test('every shape draws something, in 3D and face on', async () => {
-  const page = await open(scenes.SHAPES.filter((shape) => shape.type !== 'half_space').map((shape) => scenes.gallery([shape])), { viewport: { width: 700, height: 700 } });
+  const page = await open(scenes.SHAPES.filter((shape) => shape.type !== 'half_space').map((shape) => scenes.gallery([shape])), { viewport: { width: 660, height: 400 } });
   const views = await page.evaluate(() => polhode.pixels());
   views.forEach((view, k) => assert.ok(view.bodyShare > 0.01, `${scenes.SHAPES[k].type}: ${JSON.stringify(view)}`));
   assert.deepEqual(page.errors, []);
@@ -176,6 +181,25 @@ test('a half-space is a floor, links are drawn, a planar scene is seen face on',
     assert.deepEqual(page.errors, [], await page.title());
     await page.close();
   }
+});
+
+test('a body too small to be seen is a dot', async () => {
+  const page = await open([scenes.gallery([{ type: 'sphere', radius: 1e-4 }, { type: 'sphere', radius: 1e-4 }])]);
+  const [view] = await page.evaluate(() => polhode.pixels());
+  assert.ok(notBlank(view) && view.bodyShare < 0.01, JSON.stringify(view));
+  await page.close();
+});
+
+test('a click on a body shows its numbers', async () => {
+  const page = await open([scenes.gallery([{ type: 'sphere', radius: 0.7 }, { type: 'cuboid', size: [1, 1, 1] }])]);
+  const box = await page.locator('.views').boundingBox();
+  const hit = new Map();
+  for (let u = 0.15; u < 0.9; u += 0.1) {
+    await page.mouse.click(box.x + u * box.width, box.y + 0.5 * box.height);
+    hit.set((await state(page)).selected, await page.locator('.pick select').first().inputValue());
+  }
+  assert.deepEqual([...hit.entries()].sort(), [[0, '0'], [1, '1']]);
+  await page.close();
 });
 
 test('where a Frenet frame does not exist the view says so', async () => {
@@ -203,9 +227,41 @@ test('an empty recording is seen to be empty', async () => {
   const page = await open([scenes.empty()]);
   const [view] = await page.evaluate(() => polhode.pixels());
   assert.equal(notBlank(view), false, JSON.stringify(view));
-  assert.equal(view.bodyShare, 0);
+  assert.equal(view.bodyPixels, 0);
   assert.match(await page.locator('.cell-notes').innerText(), /no bodies/);
   await page.close();
+});
+
+test('numbers that end, grow without end or are missing leave the page working', async () => {
+  for (const nFrames of [20, 1]) {
+    const page = await open([scenes.broken({ nFrames })]);
+    for (const t of [0, 5, 15, 19]) {
+      await page.evaluate((time) => {
+        for (const layer of ['trail', 'polhode', 'herpolhode', 'follow']) polhode.toggle(layer);
+        polhode.seek(time);
+      }, t);
+    }
+    if (nFrames > 1) assert.match(await page.locator('.cell-notes').innerText(), /lost: no longer a finite number/);
+    assert.match(await page.locator('.plot').nth(1).textContent(), /no finite values/);
+    assert.deepEqual(page.errors, []);
+    await page.close();
+  }
+});
+
+test('the screenshot script fails on an empty page and passes a good one', async () => {
+  const folder = await mkdtemp(join(tmpdir(), 'polhode-shot-'));
+  const shoot = (name, html) => {
+    writeFileSync(join(folder, name), html);
+    const script = fileURLToPath(new URL('shot.mjs', import.meta.url));
+    return new Promise((done) => {
+      execFile(process.execPath, [script, join(folder, name), join(folder, `${name}.png`), '480', '500'], (error, out) => done({ code: error?.code ?? 0, facts: JSON.parse(out) }));
+    });
+  };
+  const [bad, good] = await Promise.all([shoot('bad.html', pageOf([scenes.empty()])), shoot('good.html', pageOf([scenes.racket()]))]);
+  await rm(folder, { recursive: true });
+  assert.equal(bad.code, 1);
+  assert.deepEqual(bad.facts.problems, ['view 1 is blank']);
+  assert.equal(good.code, 0, JSON.stringify(good.facts.problems));
 });
 
 test('what is wrong is said in the page', async () => {

@@ -166,6 +166,29 @@ export function explicitR({ label, kept = false } = {}) {
   }, frames);
 }
 
+/** A body whose numbers end halfway, one whose matrix grows without end, and one without shapes, in one frame or several. */
+export function broken({ nFrames = 20 } = {}) {
+  const frames = Array.from({ length: nFrames }, (_, k) => {
+    const bad = k >= nFrames / 2 && nFrames > 1;
+    const x = bad ? NaN : 0.1 * k;
+    const m = [10 ** k, 0, 0, 0, 10 ** k, 0, 0, 0, 1];
+    const one = { rotation: [1, 0, 0, 0], angular_velocity: [0, 0, bad ? NaN : 1], matrix: [1, 0, 0, 0, 1, 0, 0, 0, 1] };
+    return { t: k, series: [bad ? NaN : 1, NaN, bad ? Infinity : 0], bodies: [{ ...one, position: [x, 0, 0] }, { ...one, position: [0, 2, 0], matrix: m }, { ...one, position: [1e30 ** (k > 2), 0, 0] }] };
+  });
+  const cube = { type: 'cuboid', size: [1, 1, 1] };
+  return encode({
+    title: 'Broken',
+    bodies: [
+      { name: 'lost', kind: 'dynamic', mass: 1, inertia: [1, 1, 1], shapes: [cube] },
+      { name: 'grown', kind: 'dynamic', mass: 1, inertia: [0, 1, 1], shapes: [cube, { type: 'shape of tomorrow' }] },
+      { name: 'bare' },
+    ],
+    channels: [{ name: 'position', size: 3 }, { name: 'rotation', size: 4 }, { name: 'angular_velocity', size: 3 }, { name: 'matrix', size: 9 }],
+    series: [{ name: 'a' }, { name: 'b' }, { name: 'c' }],
+    plots: [{ title: 'a', series: ['a'] }, { title: 'b', series: ['b'], log: true }, { title: 'c', series: ['c', 'no such'], log: true }],
+  }, frames);
+}
+
 /** No bodies and no frames: the page must not look as if it played something. */
 export function empty() {
   return encode({ title: 'Nothing' }, []);

@@ -12,5 +12,5 @@ pub mod scene;
 
 pub use error::{Problem, SceneError};
 pub use recording::Recording;
-pub use run::Run;
+pub use run::{Run, Summary};
 pub use scene::{Scene, SceneFile, schema};

@@ -9,7 +9,9 @@ function fromBase64(text) {
   } catch {
     throw new DamagedRecording('The recording in this page is damaged: it is not base64.');
   }
-  return Uint8Array.from(binary, (character) => character.charCodeAt(0));
+  const bytes = new Uint8Array(binary.length);
+  for (let k = 0; k < binary.length; k++) bytes[k] = binary.charCodeAt(k);
+  return bytes;
 }
 
 /** Decodes several sources, keeping the sentences of those that fail. */

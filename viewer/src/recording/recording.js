@@ -66,10 +66,11 @@ export class Recording {
     let most = 0;
     for (let frame = 0; frame < this.nFrames; frame++) {
       for (let body = 0; body < this.bodies.length; body++) {
-        const length = Math.hypot(...this.read(channel, frame, body, v));
-        if (length > most && Number.isFinite(length)) most = length;
+        this.read(channel, frame, body, v);
+        const square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        if (square > most && square < Infinity) most = square;
       }
     }
-    return most;
+    return Math.sqrt(most);
   }
 }

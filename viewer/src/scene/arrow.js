@@ -6,6 +6,7 @@ import {
   ConeGeometry,
   CylinderGeometry,
   DynamicDrawUsage,
+  GreaterDepth,
   Group,
   Mesh,
   MeshBasicMaterial,
@@ -27,6 +28,13 @@ export class Arrow {
     const material = new MeshLambertMaterial({ color, emissive: color, emissiveIntensity: 0.35 });
     this.shaft = new Mesh(SHAFT, material);
     this.head = new Mesh(HEAD, material);
+    // What a body hides of the arrow shines through it.
+    const ghost = new MeshBasicMaterial({ color, transparent: true, opacity: 0.3, depthFunc: GreaterDepth, depthWrite: false });
+    for (const part of [this.shaft, this.head]) {
+      const hidden = new Mesh(part.geometry, ghost);
+      hidden.renderOrder = 15;
+      part.add(hidden);
+    }
     this.group.add(this.shaft, this.head);
     if (symbol) {
       this.label = label(symbol, color, halo);

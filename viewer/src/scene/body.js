@@ -1,11 +1,27 @@
 // One body: its surfaces and the lines on them, moved as the recording says.
 
-import { DoubleSide, Group, Matrix4, Mesh, MeshStandardMaterial } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  Group,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  Points,
+  PointsMaterial,
+} from 'three';
 import { buildShape } from './shapes.js';
 import { segments } from './strokes.js';
 
 // Beyond this many bodies lines cost more than they tell.
 const MOST_OUTLINED = 600;
+/** Columns of a matrix longer than this (a rotation has 1) are no longer drawn. */
+export const MOST_GROWN = 1e6;
+
+const ORIGIN = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(3), 3));
+/** Diameter of the dot that stands for a body too small to be seen [CSS pixels]. */
+const DOT = 7;
 
 /** How a body looks by its kind: fixed is grey, kinematic is translucent with dashed edges. */
 function look(body, index, theme) {
@@ -67,6 +83,16 @@ export class BodyView {
       }
       this.group.add(place);
     }
+    this.radius = bodyRadius(body);
+    this.endless = (body.shapes ?? []).some((shape) => shape.type === 'half_space');
+    this.dot = new Points(ORIGIN, new PointsMaterial({ color: this.edgeColor, size: DOT, sizeAttenuation: false }));
+    this.dot.frustumCulled = false;
+    this.group.add(this.dot);
+  }
+
+  /** On a screen of this many metres a pixel, a body may be too small to be seen; a particle has no shape at all. */
+  setScale(metresPerPixel) {
+    this.dot.visible = !this.endless && 2 * this.radius < (DOT - 2) * metresPerPixel;
   }
 
   /** Opacity of the surfaces; edges stay. */
@@ -86,15 +112,21 @@ export class BodyView {
     }
   }
 
-  /** @param {number[]} columns nine numbers: the images of the body's x, y and z axes */
-  place(columns, position, layer) {
+  /**
+   * @param {number[]} columns nine numbers: the images of the body's x, y and z axes
+   * @param {number} farthest a body beyond this distance is not drawn: the screen's arithmetic is that of f32
+   * @returns what is wrong with the place, or ''
+   */
+  place(columns, position, layer, farthest) {
     const [a, b, c, d, e, f, g, h, i] = columns;
     const [x, y, z] = position;
     const finite = columns.every(Number.isFinite) && position.every(Number.isFinite);
-    this.group.visible = finite;
-    if (!finite) return false;
+    const drawable = columns.every((c) => Math.abs(c) < MOST_GROWN) && position.every((p) => Math.abs(p) < farthest);
+    this.group.visible = finite && drawable;
+    if (!finite) return 'no longer a finite number';
+    if (!drawable) return 'too far or too large to be drawn';
     this.group.matrix.copy(new Matrix4(a, d, g, x, b, e, h, y, c, f, i, z + layer, 0, 0, 0, 1));
     this.group.matrixWorldNeedsUpdate = true;
-    return true;
+    return '';
   }
 }

@@ -24,7 +24,7 @@ function rings() {
 
 export class Poinsot {
   /** For a body with inertia in a recording with angular velocity. `scale` [m per rad/s]. */
-  constructor(recording, body, { scale, theme }) {
+  constructor(recording, body, { scale, farthest, theme }) {
     this.recording = recording;
     this.body = body;
     this.scale = scale;
@@ -47,7 +47,7 @@ export class Poinsot {
     this.polhode = new Trace(
       times,
       (t) => principalOmega(recording, locate(recording, t), body, omega).map((w) => w * scale),
-      { color: theme.color('--omega'), paper: theme.color('--stage'), width: 3 },
+      { color: theme.color('--omega'), paper: theme.color('--stage'), width: 3, farthest },
     );
     this.inBody.add(this.ellipsoid, this.polhode.group);
 
@@ -55,7 +55,7 @@ export class Poinsot {
     this.herpolhode = new Trace(
       times,
       (t) => vectorAt(recording, 'angular_velocity', locate(recording, t), body, omega).map((w) => w * scale),
-      { color: theme.color('--herpolhode'), width: 2.4 },
+      { color: theme.color('--herpolhode'), width: 2.4, farthest },
     );
     const plate = { color: theme.color('--momentum'), transparent: true, depthWrite: false, side: DoubleSide };
     this.plane = new Mesh(PLATE, new MeshBasicMaterial({ ...plate, opacity: theme.dark ? 0.2 : 0.13 }));

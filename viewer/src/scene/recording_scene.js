@@ -4,7 +4,7 @@ import { DirectionalLight, Group, HemisphereLight, Mesh, Scene, Vector3 } from '
 import { columns, rotate } from '../recording/rotation.js';
 import { centerAt, locate, matrixAt, newPose, poseAt, vectorAt } from '../recording/sample.js';
 import { Arrow, ArcArrow } from './arrow.js';
-import { BodyView } from './body.js';
+import { BodyView, MOST_GROWN } from './body.js';
 import { Ground, flatten, roundBelow, shadowMaterial } from './ground.js';
 import { VECTORS } from './layers.js';
 import { LinkView } from './links.js';
@@ -15,6 +15,7 @@ import { Triad, cross, direction } from './triad.js';
 // Arrows and curves of more bodies than this would hide each other: then only the selected body has them.
 const MOST_SUBJECTS = 6;
 const MOST_SHADOWED = 400;
+const MOST_NOTES = 3;
 const MOST_CURVE_POINTS = 60_000;
 /** Arrows end here even where a diverging scheme makes the vector endless. */
 const LONGEST_ARROW = 4.5;
@@ -37,6 +38,7 @@ export class RecordingScene {
     this.measure = measure;
     this.theme = theme;
     this.scene = new Scene();
+    this.farthest = 1e5 * measure.radius;
     this.lift = recording.planar ? measure.unit : 0;
     this.notes = [];
     this.growth = 1;
@@ -47,7 +49,7 @@ export class RecordingScene {
     this.addGround();
     this.bodies = recording.bodies.map((body, k) => new BodyView(body, k, recording.bodies.length, theme));
     this.bodyGroup = new Group();
-    this.bodyGroup.add(...this.bodies.map((view) => view.group));
+    for (const view of this.bodies) this.bodyGroup.add(view.group);
     this.scene.add(this.bodyGroup);
     this.links = (recording.header.links ?? []).map((link) => new LinkView(link, { unit: measure.unit, theme }));
     for (const link of this.links) {
@@ -132,15 +134,17 @@ export class RecordingScene {
       return;
     }
     const at = locate(recording, t);
-    const lost = [];
+    const lost = new Set();
     recording.bodies.forEach((body, k) => {
       const pose = poseAt(recording, at, k, this.poses[k]);
       if (recording.has('matrix')) this.deform(at, k, pose);
       else columns(pose.rotation, this.matrices[k]);
       const layer = recording.planar ? k * 1e-3 * measure.unit : 0;
-      if (!this.bodies[k].place(this.matrices[k], pose.position, layer)) lost.push(body.name);
+      const wrong = this.bodies[k].place(this.matrices[k], pose.position, layer, this.farthest);
+      if (!wrong) return;
+      lost.add(k);
+      if (lost.size <= MOST_NOTES) this.notes.push(`${body.name || `body ${k + 1}`}: ${wrong}`);
     });
-    if (lost.length) this.notes.push(`${lost.join(', ')}: no longer a finite number`);
     for (const link of this.links) link.update((k) => this.poses[k]);
     for (const { view, group } of this.casters ?? []) {
       group.visible = view.group.visible;
@@ -148,7 +152,7 @@ export class RecordingScene {
     }
     if (this.ground) this.ground.grid.visible = layers.has('grid');
 
-    const subjects = this.subjects(selected);
+    const subjects = this.subjects(selected).filter((k) => !lost.has(k));
     for (const [key, extra] of this.extras) {
       const [name, body] = key.split(' ');
       extra.group.visible = layers.has(name) && subjects.includes(Number(body));
@@ -170,7 +174,7 @@ export class RecordingScene {
     const m = matrixAt(this.recording, at, body, this.matrices[body]);
     for (let c = 0; c < 3; c++) {
       const length = Math.hypot(m[3 * c], m[3 * c + 1], m[3 * c + 2]);
-      if (Number.isFinite(length)) this.growth = Math.max(this.growth, length);
+      if (length < MOST_GROWN) this.growth = Math.max(this.growth, length);
     }
     if (!m.some((x) => x !== 0)) columns(pose.rotation, m);
   }
@@ -250,14 +254,19 @@ export class RecordingScene {
     if (layers.has('path')) {
       this.extra('path', body, () => {
         const center = (when) => centerAt(recording, locate(recording, when), body, [0, 0, 0]);
-        return new Trace(times(), center, { color: theme.color('--path'), paper: theme.color('--stage'), width: 2.4 });
+        return new Trace(times(), center, {
+          color: theme.color('--path'),
+          paper: theme.color('--stage'),
+          width: 2.4,
+          farthest: this.farthest,
+        });
       }).setTime(t);
     }
     if (layers.has('trail')) this.extra('trail', body, () => this.makeTrail(body, times())).setTime(t);
     const omega = recording.has('angular_velocity') && recording.bodies[body].inertia && !recording.planar;
     if (omega && measure.scale.poinsot > 0 && (layers.has('polhode') || layers.has('herpolhode'))) {
       const poinsot = this.extra('polhode', body, () => {
-        const made = new Poinsot(recording, body, { scale: measure.scale.poinsot, theme });
+        const made = new Poinsot(recording, body, { scale: measure.scale.poinsot, farthest: this.farthest, theme });
         made.group = new Group();
         made.group.add(made.inBody, made.inSpace);
         return made;
@@ -282,7 +291,7 @@ export class RecordingScene {
         else columns(pose.rotation, m);
         return pose.center.map((x, i) => x + AXIS * measure.unit * m[3 * axis + i]);
       };
-      const trace = new Trace(times, tip, { color: theme.color(color), width: 1.6 });
+      const trace = new Trace(times, tip, { color: theme.color(color), width: 1.6, farthest: this.farthest });
       group.add(trace.group);
       return trace;
     });

@@ -22,16 +22,16 @@ export function sampleTimes(recording, most = MOST_POINTS) {
 export class Trace {
   /**
    * @param {number[]} times increasing
-   * @param {(t: number) => number[]} pointAt where the pen is; a point that is not finite ends the curve
-   * @param {{color, paper?, width?: number}} style with `paper`, the colour behind, what is to come is drawn too
+   * @param {(t: number) => number[]} pointAt where the pen is; a point that is `farthest` away or not finite ends the curve
+   * @param {{color, paper?, width?: number, farthest: number}} style with `paper`, the colour behind, what is to come is drawn too
    */
-  constructor(times, pointAt, { color, paper, width = 2.2 }) {
+  constructor(times, pointAt, { color, paper, width = 2.2, farthest }) {
     this.group = new Group();
     this.times = [];
     const points = [];
     for (const t of times) {
       const point = pointAt(t);
-      if (!point.every(Number.isFinite)) break;
+      if (!point.every((x) => Math.abs(x) < farthest)) break;
       this.times.push(t);
       points.push(...point);
     }
@@ -46,7 +46,7 @@ export class Trace {
       this.future = curve(reversed, { color: color.clone().lerp(paper, 0.6), width: 0.7 * width });
       this.future.frustumCulled = false;
       // A closed orbit comes back to where it was: what was drawn stays in front.
-      Object.assign(this.future.material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 8 });
+      Object.assign(this.future.material, { polygonOffset: true, polygonOffsetFactor: 4, polygonOffsetUnits: 200 });
       this.group.add(this.future);
     }
   }

@@ -18,7 +18,7 @@ export function wordsFor(page, recordings) {
 function methods(recordings) {
   const { integrator, dt } = recordings[0]?.header ?? {};
   if (recordings.length !== 1 || !integrator) return '';
-  return dt ? `${integrator}, step ${dt} s` : integrator;
+  return dt ? `${integrator}, step ${quotient(dt)} s` : integrator;
 }
 
 /** Pages are passed around: a link must lead to a page and not run a script. Without a colon it is a relative one. */
@@ -48,4 +48,10 @@ export function explain({ explanation, lookFor, links, method }) {
     panel.append(element('ul', { class: 'links' }, ...items));
   }
   return panel;
+}
+
+// 1/240 reads better than 0.004166666666666667.
+function quotient(dt) {
+  const per = Math.round(1 / dt);
+  return dt < 1 && per < 1e6 && Math.abs(per * dt - 1) < 1e-12 && String(dt).length > 8 ? `1/${per}` : String(dt);
 }

@@ -1,4 +1,4 @@
-// How large the scene is, where it is, and how long arrows should be. Shared by all recordings of the page, so that
+// How large the scene is, where it is, and how long arrows should be: the same for all recordings of the page, so that
 // what is side by side is drawn to one scale.
 
 import { bodyRadius } from '../scene/body.js';
@@ -40,8 +40,14 @@ function gather(recording) {
   return found;
 }
 
+// A scheme that diverges ends at 10³⁰ m. No scene grows by this factor from its first frame.
+const MOST_SPREAD = 1e5;
+
 /** Drops what flew away: points farther from the middle than three times the distance that nine tenths keep. */
-function withoutOutliers(found) {
+function withoutOutliers(all) {
+  const starts = all.filter(({ first }) => first);
+  const start = Math.max(0, ...starts.map(({ point, radius }) => Math.hypot(...point) + radius)) || 1;
+  const found = all.filter(({ point }) => Math.hypot(...point) < MOST_SPREAD * start);
   const middle = [0, 1, 2].map((k) => median(found.map(({ point }) => point[k])));
   const far = ({ point }) => Math.hypot(...point.map((x, k) => x - middle[k]));
   const distances = found.map(far).sort((a, b) => a - b);

@@ -1,4 +1,4 @@
-// The one camera of the page, shared by all its views: it looks at a target from an angle, z up. A planar scene is
+// The one camera of the page, for all its views: it looks at a target from an angle, z up. A planar scene is
 // looked at face on, without perspective.
 
 import { MathUtils, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';

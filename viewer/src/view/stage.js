@@ -132,7 +132,8 @@ export class Stage {
     const view = this.views[k];
     const { left, top, width, height } = this.rectangle(k);
     if (width < 2 || height < 2) return;
-    const { distance } = this.aim(k, width, height);
+    const { distance, metresPerPixel } = this.aim(k, width, height);
+    for (const body of view.bodies) body.setScale(metresPerPixel);
     const spacing = roundBelow(distance / 12);
     view.ground?.setView(spacing, 6 * distance, this.rig.target);
     this.cells[k].setRuler(view.ground && this.gridShown ? `grid ${number(spacing)} m` : '');
@@ -175,18 +176,17 @@ export class Stage {
   }
 
   /**
-   * What is on the canvas, for tests: for each view the variance of its pixels (0…1 a channel, averaged), and the
-   * share of pixels that bodies and links cover when all else is hidden.
+   * What is on the canvas, for tests: for each view the variance of its pixels (0…1 a channel, averaged), and how
+   * many pixels bodies and links cover when all else is hidden, as a number and as a share. Call it right after `draw`.
    */
   pixels() {
-    this.draw();
     const seen = this.views.map((_, k) => this.readCell(k));
     const restore = this.views.map((view) => view.bareBodies());
     this.draw();
     const bare = this.views.map((_, k) => this.readCell(k));
     restore.forEach((put) => put());
-    this.draw();
-    return this.views.map((_, k) => ({ variance: variance(seen[k]), bodyShare: covered(bare[k]) }));
+    this.ask.draw();
+    return this.views.map((_, k) => ({ variance: variance(seen[k]), ...covered(bare[k]) }));
   }
 
   readCell(k) {
@@ -216,5 +216,5 @@ function variance(data) {
 function covered(data) {
   let count = 0;
   for (let k = 3; k < data.length; k += 4) if (data[k] > 0) count++;
-  return data.length ? (4 * count) / data.length : 0;
+  return { bodyPixels: count, bodyShare: data.length ? (4 * count) / data.length : 0 };
 }

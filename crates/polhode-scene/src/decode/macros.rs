@@ -4,13 +4,13 @@
 macro_rules! table {
     (
         $(#[doc = $about:literal])+
-        $noun:literal $Name:ident {
+        $noun:literal $Name:ident $(derive $Derived:ident)? {
             $(flatten $(#[doc = $flat_doc:literal])+ $flat:ident: $Flat:ty;)*
             $($(#[doc = $doc:literal])+ $key:ident: $Type:ty $(, $rule:ident)? $(= $default:expr)?;)*
         }
     ) => {
         $(#[doc = $about])+
-        #[derive(Clone, Debug, PartialEq)]
+        #[derive(Clone, Debug, PartialEq, $($Derived)?)]
         #[allow(rustdoc::broken_intra_doc_links, reason = "[m] is a unit")]
         pub struct $Name {
             $($(#[doc = $flat_doc])+ pub $flat: $Flat,)*

@@ -25,17 +25,17 @@ const PRELUDE: usize = 16;
 
 /// How the frames of a recording are laid out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Layout {
+pub(crate) struct Layout {
     n_series: usize,
     /// f32 values in a frame, all bodies together.
     n_values: usize,
     /// Bytes of a frame, a multiple of 8.
-    frame: usize,
+    pub(crate) frame: usize,
 }
 
 impl Layout {
     /// `None` if a frame is longer than memory.
-    fn of(header: &Header) -> Option<Self> {
+    pub(crate) fn of(header: &Header) -> Option<Self> {
         let n_series = header.series.len();
         let row = header.channels.iter().try_fold(0_usize, |sum, channel| sum.checked_add(channel.size))?;
         let n_values = row.checked_mul(header.bodies.len())?;

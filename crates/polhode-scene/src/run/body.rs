@@ -117,7 +117,8 @@ fn given_mass(
             Inertia::Moments(moments) => Mat3::diagonal(moments),
             Inertia::Tensor(tensor) => tensor,
         };
-        return MassProperties::new(mass, center, literal(tensor, literal_33)).map(Some);
+        let made = MassProperties::new(mass, center, literal(tensor, literal_33));
+        return made.map(Some).map_err(|e| with_reason(e, literal_33));
     }
     if body.particles.is_empty() && body.mass.is_none() && !literal_33 {
         return Ok(None);
@@ -138,7 +139,15 @@ fn given_mass(
     }
     let inertia = literal(sum.inertia(), literal_33);
     let made = MassProperties::new(sum.mass, sum.center, inertia);
-    made.map(Some).map_err(|e| if body.particles.is_empty() { e } else { Error::new("particles", e.to_string()) })
+    let made = made.map(Some).map_err(|e| with_reason(e, literal_33));
+    made.map_err(|e| if body.particles.is_empty() { e } else { Error::new("particles", e.to_string()) })
+}
+
+fn with_reason(error: Error, literal_33: bool) -> Error {
+    if literal_33 {
+        return Error::new(error.path(), format!("{}; the slides' J₃₃ = y² + z² is in it", error.message()));
+    }
+    error
 }
 
 /// The slides' tensor has y² + z² also in its last place, where x² + y² is right.

@@ -21,13 +21,13 @@ pub(crate) use quantity::Quantity;
 pub use quantity::{BodyQuantity, SceneQuantity};
 
 use crate::error::SceneError;
-use crate::recording::{ChannelInfo, Header, PlotInfo, Writer};
+use crate::recording::{ChannelInfo, Header, Layout, PlotInfo, Writer};
 use crate::scene::{Channel, SceneFile, Show, Variant};
 use polhode::integrate::Integrator;
 use polhode::math::Vec3;
 use polhode::record::state_hash;
 use polhode::{Error, World};
-use sampler::{PathFrame, Sight, Start};
+use sampler::{Amounts, PathFrame, Sight};
 use setup::Setup;
 use std::io::{self, Seek, Write};
 use std::ops::ControlFlow;
@@ -41,7 +41,7 @@ pub struct Run {
     header: Header,
     /// The series, each with the place of its body.
     series: Vec<(Quantity, usize)>,
-    start: Start,
+    start: Amounts,
     /// Followed where the path's frame is asked for; otherwise empty.
     paths: Vec<PathFrame>,
     dt: f64,
@@ -59,11 +59,12 @@ pub struct Summary {
     pub time: f64,
     /// Bodies that forces move.
     pub bodies: usize,
-    /// Change of the energy since the start, as a share of it; meaningful where energy is conserved.
+    /// Change of the energy since the start, as a share of it or of the kinetic energy, whichever is larger; 0 where all is at
+    /// rest. Meaningful where energy is conserved.
     pub energy_drift: f64,
-    /// Change of Σ p, as a share of Σ |p|.
+    /// Change of Σ p since the start, as a share of Σ |p|.
     pub momentum_drift: f64,
-    /// Change of the angular momentum about the origin, as a share of it.
+    /// Change of the angular momentum about the origin since the start, as a share of the sum of all bodies' amounts of it.
     pub angular_momentum_drift: f64,
     /// Largest angle to the reference run at the end \[rad\], if there is one.
     pub attitude_error: Option<f64>,
@@ -105,7 +106,7 @@ impl Run {
         let n_steps = (settings.time / settings.dt).round().max(1.0) as u64;
         let steps_per_frame = (settings.frame_interval / settings.dt).round().clamp(1.0, n_steps as f64) as u64;
         let mut run = Self {
-            start: Start::of(&setup.world),
+            start: Amounts::of(&setup.world),
             paths: vec![PathFrame::default(); if needs_path { setup.bodies.len() } else { 0 }],
             dt: settings.dt,
             summary: Summary::default(),
@@ -143,6 +144,12 @@ impl Run {
     /// How many frames a recording has: one at the start, one each `frame_interval`, and one at the end.
     pub fn n_frames(&self) -> u64 {
         1 + self.n_steps.div_ceil(self.steps_per_frame)
+    }
+
+    /// About how many bytes a recording of the whole run takes.
+    pub fn recording_bytes(&self) -> u64 {
+        let frame = Layout::of(&self.header).map_or(u64::MAX, |layout| layout.frame as u64);
+        frame.saturating_mul(self.n_frames())
     }
 
     /// Goes to the end without a recording.
@@ -184,14 +191,15 @@ impl Run {
     /// What the run did so far.
     pub fn summary(&self) -> Summary {
         let world = &self.setup.world;
+        let now = Amounts::of(world);
         let error = self.sight().number(&Quantity::Scene(SceneQuantity::AttitudeError), 0);
         Summary {
             steps: world.steps(),
             time: world.time(),
             bodies: world.model().n_dynamic(),
-            energy_drift: self.start.energy_drift(world),
-            momentum_drift: self.start.momentum_drift(world),
-            angular_momentum_drift: self.start.angular_momentum_drift(world),
+            energy_drift: now.energy_drift(&self.start),
+            momentum_drift: now.momentum_drift(&self.start),
+            angular_momentum_drift: now.angular_momentum_drift(&self.start),
             attitude_error: self.reference.as_ref().map(|_| error),
             hash: state_hash(world),
             ..self.summary.clone()

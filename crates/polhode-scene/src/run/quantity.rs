@@ -15,7 +15,7 @@ words! {
         "potential" Potential,
         /// All three together [J].
         "energy" Energy,
-        /// Change of the energy since the start, as a share of it.
+        /// Change of the energy since the start, as a share of it or of the kinetic energy, whichever is larger.
         "energy-drift" EnergyDrift,
         /// |Σ p| [kg·m/s].
         "momentum" Momentum,
@@ -23,7 +23,7 @@ words! {
         "momentum-drift" MomentumDrift,
         /// |Σ x × p + L| about the origin [kg·m²/s].
         "angular-momentum" AngularMomentum,
-        /// Change of the angular momentum since the start, as a share of it.
+        /// Change of the angular momentum since the start, as a share of the sum of all bodies' amounts of it.
         "angular-momentum-drift" AngularMomentumDrift,
         /// Largest angle between a body and the same body in the reference run [rad].
         "attitude-error" AttitudeError,

@@ -8,47 +8,47 @@ use polhode::math::{Mat3, Vec3};
 use polhode::store::BodyId;
 use polhode::world::BodyRef;
 
-/// The world at the start, which drifts are measured from.
+/// What a world has that is conserved, at the start or now.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Start {
+pub(super) struct Amounts {
     energy: f64,
-    energy_scale: f64,
     momentum: Vec3,
-    momentum_scale: f64,
     angular_momentum: Vec3,
+    /// What a change is a share of: the zero of a potential is a convention and momenta of bodies may cancel, so that totals
+    /// alone say nothing.
+    energy_scale: f64,
+    momentum_scale: f64,
     angular_momentum_scale: f64,
 }
 
-impl Start {
+impl Amounts {
     pub(super) fn of(world: &World) -> Self {
         let energy = world.energy();
-        let (momentum, angular_momentum) = (world.momentum(), world.angular_momentum(Vec3::ZERO));
         Self {
             energy: energy.total(),
-            // The zero of a potential is a convention, so that a total of nothing says nothing.
+            momentum: world.momentum(),
+            angular_momentum: world.angular_momentum(Vec3::ZERO),
             energy_scale: energy.total().abs().max(energy.kinetic()),
-            momentum,
             momentum_scale: world.bodies().map(|body| body.momentum().length()).sum(),
-            angular_momentum,
             angular_momentum_scale: world.bodies().map(|body| body.angular_momentum_about(Vec3::ZERO).length()).sum(),
         }
     }
 
-    pub(super) fn energy_drift(&self, world: &World) -> f64 {
-        share(world.energy().total() - self.energy, self.energy_scale)
+    pub(super) fn energy_drift(&self, start: &Self) -> f64 {
+        share(self.energy - start.energy, self.energy_scale.max(start.energy_scale))
     }
-    pub(super) fn momentum_drift(&self, world: &World) -> f64 {
-        share((world.momentum() - self.momentum).length(), self.momentum_scale)
+    pub(super) fn momentum_drift(&self, start: &Self) -> f64 {
+        share((self.momentum - start.momentum).length(), self.momentum_scale.max(start.momentum_scale))
     }
-    pub(super) fn angular_momentum_drift(&self, world: &World) -> f64 {
-        let change = world.angular_momentum(Vec3::ZERO) - self.angular_momentum;
-        share(change.length(), self.angular_momentum_scale)
+    pub(super) fn angular_momentum_drift(&self, start: &Self) -> f64 {
+        let change = (self.angular_momentum - start.angular_momentum).length();
+        share(change, self.angular_momentum_scale.max(start.angular_momentum_scale))
     }
 }
 
-/// A change as a share of what it is a change of; of nothing, the change itself.
+/// A change as a share of what it is a change of; of nothing there is no change.
 fn share(change: f64, whole: f64) -> f64 {
-    if whole > 0.0 { change / whole } else { change }
+    if whole == 0.0 { 0.0 } else { change / whole }
 }
 
 /// The path of one body's centre of mass, followed from step to step.
@@ -87,7 +87,7 @@ pub(super) struct Sight<'a> {
     pub(super) world: &'a World,
     pub(super) reference: Option<&'a World>,
     pub(super) bodies: &'a [BodyId],
-    pub(super) start: &'a Start,
+    pub(super) start: &'a Amounts,
     pub(super) paths: &'a [PathFrame],
 }
 
@@ -122,11 +122,11 @@ impl Sight<'_> {
             SceneQuantity::Rotation => world.energy().rotation,
             SceneQuantity::Potential => world.energy().potential,
             SceneQuantity::Energy => world.energy().total(),
-            SceneQuantity::EnergyDrift => self.start.energy_drift(world),
+            SceneQuantity::EnergyDrift => Amounts::of(world).energy_drift(self.start),
             SceneQuantity::Momentum => world.momentum().length(),
-            SceneQuantity::MomentumDrift => self.start.momentum_drift(world),
+            SceneQuantity::MomentumDrift => Amounts::of(world).momentum_drift(self.start),
             SceneQuantity::AngularMomentum => world.angular_momentum(Vec3::ZERO).length(),
-            SceneQuantity::AngularMomentumDrift => self.start.angular_momentum_drift(world),
+            SceneQuantity::AngularMomentumDrift => Amounts::of(world).angular_momentum_drift(self.start),
             SceneQuantity::AttitudeError => self.reference.map_or(f64::NAN, |reference| {
                 largest(&|i| self.body(i).rotation().angle_to(reference.body(self.bodies[i]).rotation()))
             }),

@@ -34,7 +34,11 @@ pub(crate) fn scene(scene: &Scene) -> Vec<Finding> {
         let path = if scene.compare.is_empty() { String::new() } else { format!("compare[{i}]") };
         check_times(variant, &path, &mut found);
         if variant.places.iter().any(|place| !place.is_empty()) {
+            let before = found.len();
             check_parts(&variant.parts, &variant.places, &mut found);
+            for (_, _, help) in &mut found[before..] {
+                *help = help.take().or_else(|| Some(format!("in the variant {:?}", variant.label)));
+            }
         }
         if let Some(follow) = &scene.follow {
             Names::of(&variant.parts).refer(follow, "follow", true, &mut found);

@@ -65,7 +65,7 @@ table! {
 
 table! {
     /// How a scene is computed. What is absent has its default, or in a variant the scene's value.
-    "settings" Settings {
+    "settings" Settings derive Default {
         /// Gravity: a vector [m/s²], or one number, how strongly it pulls down (−z; planar: −y); 9.81 if absent.
         gravity: Option<Gravity>;
         /// How long the run is [s]; 10 if absent.
@@ -85,7 +85,7 @@ table! {
 
 table! {
     /// What is in a scene.
-    "a scene" Parts {
+    "a scene" Parts derive Default {
         /// The bodies.
         body: Vec<Body>;
         /// Forces, torques and impulses on single bodies.
@@ -99,7 +99,7 @@ table! {
 
 table! {
     /// A variant of the scene. A list of bodies, forces, fields or pins in it replaces the scene's list.
-    "a variant" Compare {
+    "a variant" Compare derive Default {
         flatten /// How it is computed, where that differs.
             settings: Settings;
         /// What it is called; unique in the scene.

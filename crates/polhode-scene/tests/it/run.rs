@@ -239,6 +239,11 @@ fn what_no_body_can_be_is_refused_at_its_place() {
         ),
         ("[[body]]\nname = 'b'\nkind = 'fixed'\nvelocity = [1, 0, 0]\n", "does not move", "(body[0].velocity)"),
         (
+            "slides = ['inertia-33']\n[[body]]\nname = 'b'\nshape = { type = 'cuboid', size = [9, 1, 1] }\n",
+            "the slides' J₃₃ = y² + z² is in it",
+            "(body[0].inertia)",
+        ),
+        (
             "[[compare]]\nlabel = 'x'\n[[compare.body]]\nname = 'b'\nmass = 1\ninertia = [1, 1, 3]\n",
             "(compare[0].body[0].inertia)",
             "test.toml:6:11",

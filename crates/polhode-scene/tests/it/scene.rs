@@ -1,5 +1,6 @@
 //! Scenes: what is read, what is refused, and how the refusal reads.
 
+use polhode_scene::Run;
 use polhode_scene::scene::{Field, Form, Inertia, Kind, SceneFile, Slide};
 
 fn parse(text: &str) -> SceneFile {
@@ -188,7 +189,17 @@ fn refusals_say_what_is_wrong_and_where() {
         (body("kind = 'fixed'\nrepeat = { count = [0, 1, 1] }"), "must be positive, found 0", "repeat.count[0]"),
         (body("kind = 'fixed'\nrepeat = { count = [1000, 1000, 1000] }"), "1000000000 bodies", "(body)"),
         (format!("{solid}{solid}"), "\"b\" is also the name of body[0]", "(body[1].name)"),
-        (format!("{solid}[[force]]\nbody = 'c'\nforce = [1, 0, 0]"), "no body named \"c\", did you mean \"b\"?", ""),
+        (format!("{solid}[[force]]\nbody = 'c'\nforce = [1, 0, 0]"), "no body named \"c\"", "(force[0].body)"),
+        (
+            "[[body]]\nname = 'wheel'\nkind = 'fixed'\n[[force]]\nbody = 'whele'\nforce = [1, 0, 0]".to_owned(),
+            "no body named \"whele\", did you mean \"wheel\"?",
+            "",
+        ),
+        (
+            format!("{solid}[[pin]]\nbody = 'b'\n[[compare]]\nlabel = 'x'\nbody = []"),
+            "no body named \"b\"",
+            "in the variant \"x\"",
+        ),
         (format!("{solid}[[force]]\nbody = 'b'"), "a force needs one of", "(force[0])"),
         (format!("{solid}[[force]]\nbody = 'b'\ntorque = [1,0,0]\nat = [0,0,0]"), "no point at which it acts", ""),
         (format!("{solid}[[force]]\nbody = 'b'\nimpulse = [1,0,0]\nfrom = 1"), "given at one `time`", ""),
@@ -263,4 +274,23 @@ fn every_key_is_documented() {
             _ => {}
         }
     }
+}
+
+/// The fuzzer starts from scenes that run; one that does not would leave most of the code untouched.
+#[test]
+fn the_seeds_of_the_fuzzer_run() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fuzz/seeds/scene_toml");
+    let mut runs = 0;
+    for entry in std::fs::read_dir(folder).expect("the seeds are there") {
+        let path = entry.expect("can be listed").path();
+        if path.file_name().is_some_and(|name| name == "wrong.toml") {
+            continue;
+        }
+        let file = SceneFile::load(&path).unwrap_or_else(|e| panic!("{e}"));
+        for variant in file.scene.variants() {
+            Run::new(&file, &variant).unwrap_or_else(|e| panic!("{e}"));
+            runs += 1;
+        }
+    }
+    assert!(runs >= 2);
 }

@@ -203,8 +203,11 @@ impl Model {
     ///
     /// # Errors
     /// The parameter that is out of range, a body that does not exist, or a shape that the law does not know.
-    pub fn add_field(&mut self, field: Field) -> Result<(), Error> {
+    pub fn add_field(&mut self, mut field: Field) -> Result<(), Error> {
         field.validate()?;
+        if let Some(only) = &mut field.only {
+            only.sort_unstable();
+        }
         let known = |name: &str, id: BodyId| match self.slots.slot(id) {
             Some(slot) => Ok(slot),
             None => Err(Error::new(name, "names a body that is not in the world")),
