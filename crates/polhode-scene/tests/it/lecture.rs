@@ -1,12 +1,17 @@
 //! The scenes that ship with polhode, and the page that goes through the lecture row by row.
 
-use polhode_scene::SceneFile;
+use polhode::world::BodyRef;
+use polhode_scene::{Run, SceneFile};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn is_scene(path: &str) -> bool {
+    Path::new(path).extension().is_some_and(|extension| extension == "toml")
 }
 
 /// Every scene below `scenes/`, by its path from the root of the repository.
@@ -21,7 +26,7 @@ fn scenes() -> BTreeMap<String, SceneFile> {
                 folders.push(path);
             } else {
                 let shown = path.strip_prefix(&root).expect("it is below the root").display().to_string();
-                assert!(shown.ends_with(".toml"), "{shown} is no scene");
+                assert!(is_scene(&shown), "{shown} is no scene");
                 found.insert(shown, SceneFile::load(&path).unwrap_or_else(|e| panic!("{e}")));
             }
         }
@@ -87,7 +92,7 @@ fn rows_and_scenes_name_each_other() {
     let scenes = scenes();
     let rows = rows();
     for (number, named) in &rows {
-        for path in named.iter().filter(|name| name.ends_with(".toml")) {
+        for path in named.iter().filter(|name| is_scene(name)) {
             let file = scenes.get(path).unwrap_or_else(|| panic!("row {number}: there is no {path}"));
             assert!(file.scene.row.contains(number), "row {number} names {path}, which does not name the row");
         }
@@ -98,4 +103,83 @@ fn rows_and_scenes_name_each_other() {
             assert!(named.contains(path), "{path} names row {number}, which does not name it");
         }
     }
+}
+
+#[test]
+fn every_scene_runs_to_its_end() {
+    for (path, file) in scenes() {
+        for variant in file.scene.variants() {
+            let mut run = Run::new(&file, &variant).unwrap_or_else(|e| panic!("{e}"));
+            let summary = run.finish();
+            assert!(summary.quarantined.is_empty() && !summary.stalled, "{path}, {}: {summary:?}", variant.label);
+            assert!(run.world().energy().total().is_finite(), "{path}, {}: the energy is no number", variant.label);
+        }
+    }
+}
+
+/// The variants of a scene of the lecture, run to the end.
+fn ends(scene: &str) -> Vec<Run> {
+    let file = SceneFile::load(repository().join("scenes/lecture").join(scene)).unwrap_or_else(|e| panic!("{e}"));
+    let run = |variant| {
+        let mut run = Run::new(&file, &variant).unwrap_or_else(|e| panic!("{e}"));
+        run.finish();
+        run
+    };
+    file.scene.variants().into_iter().map(run).collect()
+}
+
+fn body<'a>(run: &'a Run, name: &str) -> BodyRef<'a> {
+    run.world().bodies().find(|body| body.name() == Some(name)).expect("the scene has the body")
+}
+
+/// A sum of n terms, each of which rounds at half an epsilon of it, is this close.
+fn near(value: f64, right: f64, n: u32) -> bool {
+    (value - right).abs() <= f64::from(n) * f64::EPSILON * right.abs().max(1.0)
+}
+
+#[test]
+fn a_push_off_the_centre_moves_the_centre_but_not_by_the_slide() {
+    let runs = ends("40-kicked-puck.toml");
+    // J = 0.6 N·s on 1 kg and 0.045 kg·m²: ω = −y J / I. The slide's J (J·r) knows only the part along the lever, −0.18.
+    for (name, spin, literal) in
+        [("centre", 0.0, 0.0), ("half", -2.0, 0.0), ("rim", -4.0, 0.0), ("behind", 0.0, 0.6 * -0.18)]
+    {
+        let [right, slide] = [0, 1].map(|i| body(&runs[i], name));
+        assert!(near(right.velocity().x, 0.6, 4) && near(slide.velocity().x, literal, 4), "{name}");
+        let [w, w_slide] = [right, slide].map(|puck| puck.angular_velocity().z);
+        assert!(near(w, spin, 8) && near(w_slide, -spin, 8), "{name} {w} {w_slide}");
+    }
+}
+
+#[test]
+fn the_slides_last_moment_is_thirteen_fifths_of_the_right_one() {
+    let runs = ends("50-inertia.toml");
+    // 0.2 N·m for 10 s on m(a² + b²)/12 and on m(b² + c²)/12, of a box of 0.4 × 0.8 × 1.2 m and 6 kg; 1200 steps are summed.
+    let [right, slide] = [0, 1].map(|i| body(&runs[i], "blue").angular_velocity().z);
+    assert!(near(right, 2.0 / 0.4, 1200) && near(slide, 2.0 / 1.04, 1200), "{right} {slide}");
+}
+
+#[test]
+fn the_slides_r_grows_3713_times() {
+    let runs = ends("42-drift-of-r.toml");
+    let slab = body(&runs[0], "slab").id();
+    let r = runs[0].world().drifting_matrix(slab).expect("the slide's scheme keeps a matrix");
+    let growth = r.cols[0].length();
+    // 600 factors √(1 + 1/36), each of a few roundings.
+    let right = (0..300).fold(1.0, |product, _| product * (1.0 + 1.0 / 36.0));
+    assert!(
+        (growth / right - 1.0).abs() < 600.0 * 4.0 * f64::EPSILON && (3713.0..3714.0).contains(&growth),
+        "{growth}"
+    );
+}
+
+#[test]
+fn the_slides_pendulum_leaves_the_bottom() {
+    let runs = ends("56-pendulum.toml");
+    // It starts at rest, 30° from the bottom: E = −F l cos 30° lets it no farther up, and with the other sign no farther down.
+    let lowest = |run: &Run| body(run, "wheel").axes().cols[2].z;
+    let start = (3.0_f64).sqrt() / 2.0;
+    // Verlet's energy is off by less than a share h²ω² of its swing (1/8 of that on a linear oscillator), with ω² = F l / I.
+    let off = 5.0 * 0.5 / 0.5 / (240.0 * 240.0);
+    assert!(lowest(&runs[0]) > start - off && lowest(&runs[1]) < start + off);
 }
