@@ -162,16 +162,30 @@ impl Pinned<'_> {
                 return residual;
             }
             residual.iterations += 1;
-            // The turn answers an impulse over the whole step: its inertia is that of the middle.
-            let inv_inertia_w = pin::world_inverse_inertia(rot.halfway_to(rot1), self.inv_inertia).scaled(h);
-            let inv_mass = h * self.inv_mass;
-            let block =
-                |i: usize, j: usize| pin::response(inv_mass, inv_inertia_w, rot1.rotate(points(i).point), arms[j]);
+            let (inv_mass, turn) = (h * self.inv_mass, self.turn_response(rot.halfway_to(rot1), h));
+            let block = |i: usize, j: usize| pin::response(inv_mass, turn, rot1.rotate(points(i).point), arms[j]);
             for (i, step) in system.solve(n, |i| -gap(i), block).enumerate() {
                 impulse[i] += step;
                 self.apply(step, arms[i]);
             }
         }
+    }
+
+    /// The turn over a step h per angular impulse at its start; `middle` is the orientation halfway.
+    ///
+    /// From ω = J⁻¹ L the variation of ω is J⁻¹ δL + δθ × ω − J⁻¹ (δθ × L), because a body that is turned also turns its
+    /// inertia; and a turn is carried along, dδθ/dt = δω + ω × δθ. So
+    ///
+    /// ```text
+    /// dδθ/dt = A δθ + J⁻¹ δL,   A = J⁻¹ [L]×
+    /// δθ = h (1 + hA/2 + h²A²/6 + …) J⁻¹ δL
+    /// ```
+    ///
+    /// Without A each Newton step would gain a factor h|ω| only.
+    fn turn_response(&self, middle: Quat, h: f64) -> Mat3 {
+        let inverse = pin::world_inverse_inertia(middle, self.inv_inertia);
+        let a = (inverse * Mat3::cross(*self.l)).scaled(h);
+        (Mat3::IDENTITY + a.scaled(0.5) + (a * a).scaled(1.0 / 6.0)) * inverse.scaled(h)
     }
 
     /// The first half of a body with one pin: drifts about it over `h`. `rotate` is the free rotation (orientation,
