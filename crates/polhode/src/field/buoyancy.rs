@@ -125,9 +125,12 @@ fn submerged_cuboid(size: Vec3, pose: Pose, up: Vec3, level: f64) -> Submerged {
     Submerged { volume, centroid: origin + moment / volume }
 }
 
-/// The part of a quadrilateral below the plane through the origin (Sutherland–Hodgman): at most five corners.
-fn below(face: [Vec3; 4], up: Vec3) -> ([Vec3; 5], usize) {
-    let mut out = [Vec3::ZERO; 5];
+/// The part of a quadrilateral below the plane through the origin (Sutherland–Hodgman).
+///
+/// Five corners at most, but for a face in the plane: there rounding may tell the heights of its corners apart at will, and
+/// each edge may add a crossing to its corner.
+fn below(face: [Vec3; 4], up: Vec3) -> ([Vec3; 8], usize) {
+    let mut out = [Vec3::ZERO; 8];
     let mut n = 0;
     for i in 0..4 {
         let (a, b) = (face[i], face[(i + 1) % 4]);
@@ -183,6 +186,19 @@ mod tests {
             assert!((a.volume + b.volume - 0.8).abs() < 1e-13, "{k}");
             let moment = a.centroid * a.volume + b.centroid * b.volume;
             assert!((moment - pose.x * 0.8).length() < 1e-13, "{k}");
+        }
+    }
+
+    /// A face in the surface, where rounding decides on which side each corner is, at any orientation.
+    #[test]
+    fn a_face_in_the_surface_is_no_trouble() {
+        let size = Vec3::new(1.0, 0.7, 0.3);
+        for k in 0..20_000 {
+            let k = f64::from(k);
+            let rot = Quat::from_rotation_vector(Vec3::new(0.37 * k, 1.0 - 0.11 * k, 0.23 * k));
+            let up = rot.rotate(Vec3::Z);
+            let whole = submerged_cuboid(size, Pose::new(up * -0.15, rot), up, 0.0);
+            assert!((whole.volume - 0.21).abs() < 1e-14, "{k}");
         }
     }
 

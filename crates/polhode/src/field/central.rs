@@ -30,9 +30,10 @@ impl Central {
         }
         Wrench { force: d * (-(self.mu * body.mass) / (r2 * r2.sqrt())), torque: Vec3::ZERO }
     }
-    /// −m μ/|d| \[J\].
+    /// −m μ/|d| \[J\]; at the very centre, where no force acts, 0.
     pub fn potential(&self, body: &BodyView) -> f64 {
-        -self.mu * body.mass / (body.x - self.center).length()
+        let r = (body.x - self.center).length();
+        if r == 0.0 { 0.0 } else { -self.mu * body.mass / r }
     }
     pub(super) fn validate(&self) -> Result<(), Error> {
         finite("center", self.center)?;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 type WrenchLaw = dyn Fn(&BodyView) -> Wrench + Send + Sync;
 type PotentialLaw = dyn Fn(&BodyView) -> f64 + Send + Sync;
 
-/// A closure that is asked once a body and stage for the wrench on it.
+/// A closure that is asked for the wrench on a body, several times a step: it must answer the same for the same view.
 #[derive(Clone)]
 pub struct Custom {
     wrench: Arc<WrenchLaw>,
@@ -24,7 +24,7 @@ impl core::fmt::Debug for Custom {
 impl Field {
     /// A law of the user's own, called from several threads when the world has several.
     ///
-    /// A wrench that is not finite is dropped, and the report of the step names the body.
+    /// A wrench that is not finite is left out, and the report of the step names the body.
     pub fn custom(wrench: impl Fn(&BodyView) -> Wrench + Send + Sync + 'static) -> Self {
         let law = Custom { wrench: Arc::new(wrench), potential: None, depends_on_velocity: true };
         Self { law: Law::Custom(law), only: None }

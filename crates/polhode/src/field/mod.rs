@@ -67,7 +67,7 @@ pub struct BodyView<'a> {
     pub time: f64,
     /// Mass \[kg\]; 0 for a body that forces do not move.
     pub mass: f64,
-    /// Principal moments of inertia [kg·m²].
+    /// Principal moments of inertia [kg·m²]; 1 for a body that forces do not move.
     pub inertia: Vec3,
     /// Centre of mass, world \[m\].
     pub x: Vec3,

@@ -96,33 +96,32 @@ impl<T: Lane> Invariants<T> {
         }
     }
 
-    /// The largest |ω|² on the orbit.
+    /// The largest (h|ω|)² on the orbit.
     ///
     /// Σ k² y² at given Σ y² = 2C and Σ k y² = 2H is largest where y has no part along the middle axis, which every orbit
     /// passes: |ω|² = 2H (k_max + k_min) − 2C k_max k_min. Being an invariant, it makes the number of sub-rotations the
     /// same forwards and backwards in time.
     #[inline(always)]
-    fn max_angular_speed_squared(&self, k: Vec3<T>) -> T {
-        let two = k.x.like(2.0);
-        let high = k.x.greatest(k.y).greatest(k.z);
+    fn largest_angle_squared(&self, k: Vec3<T>) -> T {
         let low = k.x.least(k.y).least(k.z);
-        two * (self.energy * (high + low) - self.casimir * high * low)
+        let two = low.like(2.0);
+        // Rounding may leave a zero that is negative.
+        (two * (self.energy + (self.energy - self.casimir) * low)).greatest(low.like(0.0))
     }
 }
 
-/// S and D of the modified moments for a step `h`, to the given order (coefficients: see the module's source).
+/// S and D of the modified moments, to the given order (coefficients: see the module's source).
 #[inline(always)]
-fn preprocessing<T: Lane>(order: Order, inv: &Invariants<T>, h: T) -> (T, T) {
-    let c = |v: f64| h.like(v);
+fn preprocessing<T: Lane>(order: Order, inv: &Invariants<T>) -> (T, T) {
     let Invariants { energy: e, casimir: m, p, q, r } = *inv;
-    let h2 = h * h;
+    let c = |v: f64| e.like(v);
     if order == Order::Two {
         return (c(0.0), c(0.0));
     }
     let s3 = c(1.0 / 6.0) * q * m - c(1.0 / 3.0) * p * e;
     let d3 = c(1.0 / 6.0) * q * e - c(1.0 / 3.0) * r * m;
     if order == Order::Four {
-        return (h2 * s3, h2 * d3);
+        return (s3, d3);
     }
     let (pp, qq, pq, pr, qr) = (p * p, q * q, p * q, p * r, q * r);
     let (ee, em, mm) = (e * e, e * m, m * m);
@@ -130,21 +129,21 @@ fn preprocessing<T: Lane>(order: Order, inv: &Invariants<T>, h: T) -> (T, T) {
         + c(1.0 / 30.0) * (qq - c(3.0) * pr) * mm;
     let d5 = c(1.0 / 60.0) * (c(8.0) * pr - qq) * em - c(1.0 / 60.0) * (pq + c(6.0) * r) * ee - c(1.0 / 60.0) * qr * mm;
     if order == Order::Six {
-        return (h2 * (s3 + h2 * s5), h2 * (d3 + h2 * d5));
+        return (s3 + s5, d3 + d5);
     }
-    let (s7, d7) = seventh(inv, h);
+    let (s7, d7) = seventh(inv);
     if order == Order::Eight {
-        return (h2 * (s3 + h2 * (s5 + h2 * s7)), h2 * (d3 + h2 * (d5 + h2 * d7)));
+        return (s3 + (s5 + s7), d3 + (d5 + d7));
     }
-    let (s9, d9) = ninth(inv, h);
-    (h2 * (s3 + h2 * (s5 + h2 * (s7 + h2 * s9))), h2 * (d3 + h2 * (d5 + h2 * (d7 + h2 * d9))))
+    let (s9, d9) = ninth(inv);
+    (s3 + (s5 + (s7 + s9)), d3 + (d5 + (d7 + d9)))
 }
 
 /// s7 and d7.
 #[inline(always)]
-fn seventh<T: Lane>(inv: &Invariants<T>, h: T) -> (T, T) {
-    let c = |v: f64| h.like(v);
+fn seventh<T: Lane>(inv: &Invariants<T>) -> (T, T) {
     let Invariants { energy: e, casimir: m, p, q, r } = *inv;
+    let c = |v: f64| e.like(v);
     let (pp, qq, rr, pq, pr, qr) = (p * p, q * q, r * r, p * q, p * r, q * r);
     let (e3, e2m, em2, m3) = (e * e * e, e * e * m, e * m * m, m * m * m);
     let s = c(-1.0 / 630.0) * (pp * p - pq - c(18.0) * r) * e3
@@ -160,9 +159,9 @@ fn seventh<T: Lane>(inv: &Invariants<T>, h: T) -> (T, T) {
 
 /// s9 and d9.
 #[inline(always)]
-fn ninth<T: Lane>(inv: &Invariants<T>, h: T) -> (T, T) {
-    let c = |v: f64| h.like(v);
+fn ninth<T: Lane>(inv: &Invariants<T>) -> (T, T) {
     let Invariants { energy: e, casimir: m, p, q, r } = *inv;
+    let c = |v: f64| e.like(v);
     let (p2, q2, r2) = (p * p, q * q, r * r);
     let (p3, q3) = (p2 * p, q2 * q);
     let (e2, m2) = (e * e, m * m);
@@ -189,14 +188,13 @@ fn ninth<T: Lane>(inv: &Invariants<T>, h: T) -> (T, T) {
     (s, d)
 }
 
-/// The Cayley vector e of the DMV map with reciprocal moments `k` and step `h`.
+/// The Cayley vector e of the DMV map with reciprocal moments `k`, both scaled as in [`Invariants`].
 ///
 /// One fixed-point step, whose error is of third order in h|ω|, then three Newton steps: 1e-16 up to h|ω| = 0.5.
 #[inline(always)]
-fn cayley_vector<T: Lane>(y: Vec3<T>, k: Vec3<T>, h: T) -> Vec3<T> {
-    let one = h.like(1.0);
-    let half_h = h * h.like(0.5);
-    let start = y * half_h;
+fn cayley_vector<T: Lane>(y: Vec3<T>, k: Vec3<T>) -> Vec3<T> {
+    let one = y.x.like(1.0);
+    let start = y * y.x.like(0.5);
     let e = start.scale(k);
     let mut a = start * (one + e.dot(e)) - e.cross(start);
     for _ in 0..3 {
@@ -204,11 +202,10 @@ fn cayley_vector<T: Lane>(y: Vec3<T>, k: Vec3<T>, h: T) -> Vec3<T> {
         let residual = a + e.cross(a) - start * (one + e.dot(e));
         // ∂F/∂a = 1 + [e]× − [a]× K − h y (K e)ᵀ, with K = diag(k) and e = K a.
         let u = e.scale(k);
-        let hy = start + start;
         let jacobian = Mat3::from_cols(
-            Vec3::new(one - hy.x * u.x, e.z - a.z * k.x - hy.y * u.x, a.y * k.x - e.y - hy.z * u.x),
-            Vec3::new(a.z * k.y - e.z - hy.x * u.y, one - hy.y * u.y, e.x - a.x * k.y - hy.z * u.y),
-            Vec3::new(e.y - a.y * k.z - hy.x * u.z, a.x * k.z - e.x - hy.y * u.z, one - hy.z * u.z),
+            Vec3::new(one - y.x * u.x, e.z - a.z * k.x - y.y * u.x, a.y * k.x - e.y - y.z * u.x),
+            Vec3::new(a.z * k.y - e.z - y.x * u.y, one - y.y * u.y, e.x - a.x * k.y - y.z * u.y),
+            Vec3::new(e.y - a.y * k.z - y.x * u.z, a.x * k.z - e.x - y.y * u.z, one - y.z * u.z),
         );
         // Cramer's rule: one division for the three unknowns.
         let [c0, c1, c2] = jacobian.cols;
@@ -227,29 +224,37 @@ fn cayley_vector<T: Lane>(y: Vec3<T>, k: Vec3<T>, h: T) -> Vec3<T> {
 #[inline(always)]
 pub fn rotate<T: Lane>(order: Order, rot: Quat<T>, l: Vec3<T>, k: Vec3<T>, h: T) -> (Quat<T>, T::Mask) {
     let one = h.like(1.0);
-    let y = rot.inverse_rotate(l);
+    let kappa = k.x.greatest(k.y).greatest(k.z);
+    let k = k / kappa;
+    let angle_per_l = h * kappa;
+    let y = rot.inverse_rotate(l) * angle_per_l;
     let inv = Invariants::new(y, k);
     let bound = h.like(order.max_angle());
-    let angle2 = h * h * inv.max_angular_speed_squared(k);
+    let angle2 = inv.largest_angle_squared(k);
     let refused = (bound * bound * h.like(MAX_SUBROTATIONS * MAX_SUBROTATIONS)).lt(angle2);
     let several = (bound * bound).lt(angle2);
     if !T::any(several) {
-        let (s, d) = preprocessing(order, &inv, h);
-        let k = k * (one + s) + Vec3::new(d, d, d);
-        return (turn(rot, cayley_vector(y, k, h)), refused);
+        return (turn(rot, cayley_vector(y, modified(order, &inv, k))), refused);
     }
     let n = T::select(refused, h.like(0.0), (angle2.sqrt() / bound).ceil().greatest(one));
-    let h = h / n.greatest(one);
-    let (s, d) = preprocessing(order, &inv, h);
-    let k = k * (one + s) + Vec3::new(d, d, d);
+    let angle_per_l = angle_per_l / n.greatest(one);
+    let inv = Invariants::new(rot.inverse_rotate(l) * angle_per_l, k);
+    let k = modified(order, &inv, k);
     let mut rot = rot;
     let mut done = h.like(0.0);
     while T::any(done.lt(n)) {
-        let y = rot.inverse_rotate(l);
-        rot = Quat::select(done.lt(n), turn(rot, cayley_vector(y, k, h)), rot);
+        let y = rot.inverse_rotate(l) * angle_per_l;
+        rot = Quat::select(done.lt(n), turn(rot, cayley_vector(y, k)), rot);
         done = done + one;
     }
     (rot, refused)
+}
+
+/// k̃ = k (1 + S) + D.
+#[inline(always)]
+fn modified<T: Lane>(order: Order, inv: &Invariants<T>, k: Vec3<T>) -> Vec3<T> {
+    let (s, d) = preprocessing(order, inv);
+    k * (k.x.like(1.0) + s) + Vec3::new(d, d, d)
 }
 
 /// rot δ with δ = (1, e)/√(1 + |e|²), a unit again.
@@ -266,9 +271,9 @@ mod tests {
 
     /// One step without sub-rotation.
     fn one_step(order: Order, rot: Quat, l: Vec3, k: Vec3, h: f64) -> Quat {
-        let y = rot.inverse_rotate(l);
-        let (s, d) = preprocessing(order, &Invariants::new(y, k), h);
-        turn(rot, cayley_vector(y, k * (1.0 + s) + Vec3::splat(d), h))
+        let kappa = k.max_abs();
+        let (y, k) = (rot.inverse_rotate(l) * (h * kappa), k / kappa);
+        turn(rot, cayley_vector(y, modified(order, &Invariants::new(y, k), k)))
     }
 
     /// Against the exact solution the error of one step falls with the power order + 1, for steps so large that even the
@@ -297,6 +302,23 @@ mod tests {
         }
     }
 
+    /// A molecule, a brick and a planet turn alike: the arithmetic has no dimension.
+    #[test]
+    fn size_does_not_matter() {
+        let (inertia, w, h) = (Vec3::new(0.6, 0.8, 1.0), Vec3::new(3.0, 0.5, -0.9), 0.05);
+        for order in [Order::Two, Order::Four, Order::Six, Order::Eight, Order::Ten] {
+            let turned = |mass: f64, speed: f64| {
+                let i = inertia * mass;
+                let k = Vec3::new(1.0 / i.x, 1.0 / i.y, 1.0 / i.z);
+                rotate(order, Quat::IDENTITY, (w * speed).scale(i), k, h / speed).0
+            };
+            let brick = turned(1.0, 1.0);
+            for (mass, speed) in [(2.7e-45, 1e12), (1e38, 1e-5), (1e-120, 1.0), (1e120, 1e3)] {
+                assert!(turned(mass, speed).angle_to(brick) < 1e-15, "{order:?}: {mass} kg·m²");
+            }
+        }
+    }
+
     /// The bound on |ω| is reached on the orbit, and never exceeded.
     #[test]
     fn the_largest_angular_speed_is_sharp() {
@@ -306,7 +328,8 @@ mod tests {
             (Vec3::new(1.0, 1.0, 0.01), Vec3::new(0.3, 0.0, 0.5)),
         ] {
             let k = Vec3::new(1.0 / inertia.x, 1.0 / inertia.y, 1.0 / inertia.z);
-            let bound = Invariants::new(l, k).max_angular_speed_squared(k).sqrt();
+            let kappa = k.max_abs();
+            let bound = Invariants::new(l * kappa, k / kappa).largest_angle_squared(k / kappa).sqrt();
             let mut fastest = 0.0f64;
             for i in 0..100_000 {
                 let y = exact::rotate(Quat::IDENTITY, l, inertia, 0.001 * f64::from(i)).inverse_rotate(l);

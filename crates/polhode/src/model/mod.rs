@@ -142,15 +142,15 @@ impl Model {
         let inv_inertia = Vec3::new(1.0 / inertia.x, 1.0 / inertia.y, 1.0 / inertia.z);
         let point_masses = point_masses(&body, frame)?;
         let (id, slot, moves) = self.slots.insert(body.group);
-        insert_into(&mut self.mass, slot, moves, mass);
-        insert_into(&mut self.inv_mass, slot, moves, 1.0 / mass);
-        insert_into(&mut self.inertia, slot, moves, inertia);
-        insert_into(&mut self.inv_inertia, slot, moves, inv_inertia);
-        insert_into(&mut self.frame, slot, moves, frame);
-        insert_into(&mut self.gravity_scale, slot, moves, body.gravity_scale);
-        insert_into(&mut self.point_masses, slot, moves, point_masses);
-        insert_into(&mut self.shapes, slot, moves, body.shapes);
-        insert_into(&mut self.names, slot, moves, body.name);
+        insert_into(&mut self.mass, moves, mass);
+        insert_into(&mut self.inv_mass, moves, 1.0 / mass);
+        insert_into(&mut self.inertia, moves, inertia);
+        insert_into(&mut self.inv_inertia, moves, inv_inertia);
+        insert_into(&mut self.frame, moves, frame);
+        insert_into(&mut self.gravity_scale, moves, body.gravity_scale);
+        insert_into(&mut self.point_masses, moves, point_masses);
+        insert_into(&mut self.shapes, moves, body.shapes);
+        insert_into(&mut self.names, moves, body.name);
         Ok(Added { id, slot, moves, start })
     }
 

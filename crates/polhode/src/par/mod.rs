@@ -37,7 +37,7 @@ impl core::fmt::Debug for Executor {
 }
 
 impl Executor {
-    /// `threads` threads of its own; one is the calling thread.
+    /// A pool of `threads` threads of its own, in which a step runs; for one, the calling thread.
     ///
     /// # Errors
     /// If the operating system refuses the threads.

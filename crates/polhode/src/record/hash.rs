@@ -3,7 +3,8 @@
 use crate::math::Vec3;
 use crate::world::World;
 
-/// A 64-bit hash of x, rot, p, l of every body, of the pins' impulses and of the clock.
+/// A 64-bit hash of x, rot, p, l (and R, where an integrator keeps it) of every body, of the pins' impulses, of the applied
+/// forces and of the clock.
 ///
 /// Two runs that print the same hash went the same way: on any machine, with any number of threads and any width of the
 /// arithmetic.
@@ -22,13 +23,16 @@ pub fn state_hash(world: &World) -> u64 {
         hash.number(rot.w);
         hash.numbers(rot.vector());
     }
-    for &v in state.pin_opening.iter().chain(&state.pin_closing) {
+    for &v in state.pin_closing.iter().chain(&state.pin_impulse) {
         hash.numbers(v);
     }
     for column in state.matrix.iter().flat_map(|m| m.cols) {
         hash.numbers(column);
     }
-    hash.number(state.pin_step);
+    hash.number(state.last_step);
+    if world.inputs().any {
+        world.inputs().force.iter().chain(&world.inputs().torque).for_each(|&v| hash.numbers(v));
+    }
     hash.finish()
 }
 

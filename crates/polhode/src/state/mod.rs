@@ -22,13 +22,22 @@ pub struct State {
     /// The matrix R of every body where the integrator keeps one and lets it drift from a rotation; otherwise empty.
     /// Written by stage `substep`.
     pub matrix: Vec<Mat3>,
-    /// The impulse λ of the last opening half of each pin, world [N·s] (n_pins). Written by stage `substep`.
-    pub pin_opening: Vec<Vec3>,
-    /// The impulse µ of the last closing half of each pin, world [N·s] (n_pins): where the next opening half starts. Written
-    /// by stage `substep`. The reaction is (λ + µ)/h.
+    /// The impulse µ of the last closing half of each pin, world [N·s] (n_pins). Written by stage `substep`.
     pub pin_closing: Vec<Vec3>,
-    /// The step h over which the last two halves acted \[s\]; 0 before the first.
-    pub pin_step: f64,
+    /// All impulses of each pin in the last step, world [N·s] (n_pins): the mean reaction times the step. Written by stage
+    /// `substep`.
+    pub pin_impulse: Vec<Vec3>,
+    /// The last step \[s\]; 0 before the first. Written by stage `rest`.
+    pub last_step: f64,
+    /// How often bodies or pins had been added or removed: a state fits a world of the same history.
+    pub revision: u64,
+}
+
+impl State {
+    /// The simulated time, to the last bit \[s\].
+    pub fn now(&self) -> f64 {
+        self.time + self.time_error
+    }
 }
 
 /// What the user pushes with, besides the fields: constant in world axes over a step.

@@ -3,7 +3,6 @@
 use super::Moving;
 use super::forces::forces;
 use super::scratch::Scratch;
-use crate::Error;
 use crate::integrate::dormand_prince::Settings;
 use crate::integrate::phase::{Law, Phase, Rates};
 use crate::integrate::phase_solver::PhaseSolver;
@@ -12,16 +11,15 @@ use crate::integrate::{
 };
 use crate::math::Vec3;
 use crate::model::Model;
-use crate::solve::pins::Residual;
 use crate::state::angular_velocity;
 
-/// Advances all bodies over `dt` \[s\], with the forces evaluated at the stages of the scheme.
-pub(super) fn advance(moving: Moving, scheme: Coupled, dt: f64) -> Residual {
+/// Advances all bodies over `dt` \[s\], with the forces evaluated at the stages of the scheme. Returns how far it came \[s\].
+pub(super) fn advance(moving: Moving, scheme: Coupled, dt: f64) -> f64 {
     let Moving { model, inputs, state, scratch, executor } = moving;
     // The schemes' storage is lent to the scheme, the rest of the scratch to the law that it calls.
     let mut work = core::mem::take(&mut scratch.work);
-    let (time, bodies) = (state.time, &mut state.bodies);
-    let mut stalled = false;
+    let (time, bodies) = (state.now(), &mut state.bodies);
+    let mut reached = dt;
     let mut law = |t: f64, y: &Phase, rates: &mut Rates| {
         forces(model, inputs, y, t, executor, scratch);
         self::rates(model, y, scratch, rates);
@@ -38,19 +36,20 @@ pub(super) fn advance(moving: Moving, scheme: Coupled, dt: f64) -> Residual {
         Coupled::Rkmk4 => rkmk4::step(&mut law, time, dt, bodies, &mut work),
         Coupled::CrouchGrossman3 => crouch_grossman::step(&mut law, time, dt, bodies, &mut work),
         Coupled::CommutatorFree4 => commutator_free::step(&mut law, time, dt, bodies, &mut work),
-        Coupled::DormandPrince => stalled = dormand_prince(&mut law, time, dt, bodies).is_err(),
+        Coupled::DormandPrince => reached = dormand_prince(&mut law, time, dt, bodies),
     }
     scratch.work = work;
-    scratch.stalled = stalled;
-    Residual::default()
+    reached
 }
 
 /// As far as the adaptive method comes: where its step vanishes, the bodies stay at the last accepted one.
-fn dormand_prince(law: &mut Law<'_>, time: f64, dt: f64, bodies: &mut Phase) -> Result<(), Error> {
-    let mut solver = PhaseSolver::new(Settings::tolerance(1e-13), time, bodies)?;
-    let outcome = solver.advance(law, time + dt);
+fn dormand_prince(law: &mut Law<'_>, time: f64, dt: f64, bodies: &mut Phase) -> f64 {
+    // It counts time from the start of the step, so that a late clock does not coarsen it.
+    let mut law = |t: f64, y: &Phase, rates: &mut Rates| law(time + t, y, rates);
+    let Ok(mut solver) = PhaseSolver::new(Settings::tolerance(1e-13), 0.0, bodies) else { return 0.0 };
+    let arrived = solver.advance(&mut law, dt).is_ok();
     bodies.copy_from(solver.phase());
-    outcome
+    if arrived { dt } else { solver.t() }
 }
 
 /// v = p/m, ω = R J0⁻¹ Rᵀ L, and the wrench of each dynamic body.
@@ -70,9 +69,5 @@ fn rates(model: &Model, y: &Phase, scratch: &Scratch, rates: &mut Rates) {
             continue;
         }
         (rates.force[slot], rates.torque[slot]) = (scratch.force[slot], scratch.torque[slot]);
-        if model.planar {
-            rates.force[slot].z = 0.0;
-            (rates.torque[slot].x, rates.torque[slot].y) = (0.0, 0.0);
-        }
     }
 }

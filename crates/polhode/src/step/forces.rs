@@ -1,7 +1,7 @@
 //! Stage 1: gravity, what the user applies, and the fields, summed into one wrench a body.
 
 use super::scratch::Scratch;
-use crate::field::{Law, MutualGravity, Wrench};
+use crate::field::{BodyView, Field, Law, MutualGravity, Wrench};
 use crate::integrate::Phase;
 use crate::math::Vec3;
 use crate::model::Model;
@@ -16,6 +16,7 @@ const BLOCK: usize = 256;
 struct Block<'a> {
     force: &'a mut [Vec3],
     torque: &'a mut [Vec3],
+    refused: &'a mut [bool],
 }
 
 impl Split for Block<'_> {
@@ -25,7 +26,8 @@ impl Split for Block<'_> {
     fn split_at(self, at: usize) -> (Self, Self) {
         let (fa, fb) = self.force.split_at_mut(at);
         let (ta, tb) = self.torque.split_at_mut(at);
-        (Self { force: fa, torque: ta }, Self { force: fb, torque: tb })
+        let (ra, rb) = self.refused.split_at_mut(at);
+        (Self { force: fa, torque: ta, refused: ra }, Self { force: fb, torque: tb, refused: rb })
     }
 }
 
@@ -45,76 +47,125 @@ pub(super) fn forces(
     if scratch.only_gravity {
         return;
     }
-    if model.fields.iter().any(|f| matches!(f.law, Law::MutualGravity(_))) {
-        place_point_masses(model, bodies, scratch);
-    }
-    let (points, first_point) = (&scratch.points, &scratch.first_point);
-    let block = Block { force: &mut scratch.force[..n], torque: &mut scratch.torque[..n] };
+    place_point_masses(model, bodies, &mut scratch.points);
+    let points = &scratch.points;
+    let block =
+        Block { force: &mut scratch.force[..n], torque: &mut scratch.torque[..n], refused: &mut scratch.refused[..n] };
     executor.for_each(block, BLOCK, &|first, block: Block| {
-        for (i, (force, torque)) in block.force.iter_mut().zip(block.torque).enumerate() {
-            let slot = first + i;
-            let mut sum =
-                Wrench { force: model.gravity * (model.mass[slot] * model.gravity_scale[slot]), torque: Vec3::ZERO };
-            sum += Wrench { force: inputs.force[slot], torque: inputs.torque[slot] };
-            let body = view(model, bodies, time, slot);
-            for field in &model.fields {
-                if !field.applies_to(body.id) {
-                    continue;
-                }
-                sum += match &field.law {
-                    Law::Central(f) => f.wrench(&body),
-                    Law::LinearDrag(f) => f.wrench(&body),
-                    Law::QuadraticDrag(f) => f.wrench(&body),
-                    Law::Buoyancy(f) => f.wrench(&body),
-                    Law::Custom(f) => f.wrench(&body),
-                    Law::MutualGravity(f) => gravitation(f, points, first_point, slot, body.x),
-                    Law::Spring(_) | Law::TorsionSpring(_) => Wrench::ZERO,
-                };
-            }
-            (*force, *torque) = (sum.force, sum.torque);
+        for i in 0..block.force.len() {
+            let (sum, all) = on_body(model, inputs, &view(model, bodies, time, first + i), first + i, points);
+            (block.force[i], block.torque[i]) = (sum.force, sum.torque);
+            block.refused[i] |= !all;
         }
     });
-    springs(model, bodies, time, scratch);
-    quarantine(n, scratch);
-}
-
-/// Laws between two bodies, in the order in which they were added; what acts on the world or on a body that forces do not
-/// move is dropped.
-fn springs(model: &Model, bodies: &Phase, time: f64, scratch: &mut Scratch) {
-    let n = model.n_dynamic();
-    let slot_of = |id: Option<BodyId>| id.and_then(|id| model.slots.slot(id));
     for field in &model.fields {
-        let (a, b, on) = match &field.law {
-            Law::Spring(s) => {
-                let (a, b) = (slot_of(s.a.body), slot_of(s.b.body));
-                let views = [a, b].map(|slot| slot.map(|slot| view(model, bodies, time, slot)));
-                (a, b, s.wrenches(views[0].as_ref(), views[1].as_ref()))
-            }
-            Law::TorsionSpring(s) => {
-                let (a, Some(b)) = (slot_of(s.a), slot_of(Some(s.b))) else { continue };
-                let view_a = a.map(|slot| view(model, bodies, time, slot));
-                (a, Some(b), s.wrenches(view_a.as_ref(), &view(model, bodies, time, b)))
-            }
-            _ => continue,
-        };
-        for (slot, wrench) in [(a, on.0), (b, on.1)] {
-            if let Some(slot) = slot.filter(|&slot| slot < n) {
+        let Some(ends) = between(model, bodies, time, field) else { continue };
+        let finite = ends.iter().all(|(_, wrench)| wrench.is_finite());
+        for (slot, wrench) in ends {
+            // What acts on the world, or on a body that forces do not move, is dropped.
+            let Some(slot) = slot.filter(|&slot| slot < n) else { continue };
+            if finite {
                 scratch.force[slot] += wrench.force;
                 scratch.torque[slot] += wrench.torque;
             }
+            scratch.refused[slot] |= !finite;
+        }
+    }
+    if model.planar {
+        for slot in 0..n {
+            let flat = in_plane(Wrench { force: scratch.force[slot], torque: scratch.torque[slot] });
+            (scratch.force[slot], scratch.torque[slot]) = (flat.force, flat.torque);
         }
     }
 }
 
-/// Lists the point masses of all dynamic bodies: one a shape, or the whole body where it has none.
-fn place_point_masses(model: &Model, bodies: &Phase, scratch: &mut Scratch) {
-    scratch.points.clear();
-    scratch.first_point.clear();
-    for slot in 0..model.n_dynamic() {
-        scratch.first_point.push(scratch.points.len());
-        point_masses(model, bodies, slot, &mut |mass, x| scratch.points.push((mass, x)));
+/// What acts on one dynamic body now.
+pub(super) fn wrench(model: &Model, inputs: &Inputs, bodies: &Phase, time: f64, slot: usize) -> Wrench {
+    let mut points = PointMasses::default();
+    place_point_masses(model, bodies, &mut points);
+    let (mut sum, _) = on_body(model, inputs, &view(model, bodies, time, slot), slot, &points);
+    for ends in model.fields.iter().filter_map(|field| between(model, bodies, time, field)) {
+        if ends.iter().all(|(_, wrench)| wrench.is_finite()) {
+            ends.into_iter().filter(|(end, _)| *end == Some(slot)).for_each(|(_, wrench)| sum += wrench);
+        }
     }
-    scratch.first_point.push(scratch.points.len());
+    if model.planar { in_plane(sum) } else { sum }
+}
+
+/// In the plane z = 0 nothing pushes out of it or turns but about its normal.
+fn in_plane(wrench: Wrench) -> Wrench {
+    let (f, t) = (wrench.force, wrench.torque);
+    Wrench { force: Vec3::new(f.x, f.y, 0.0), torque: Vec3::new(0.0, 0.0, t.z) }
+}
+
+/// Gravity, what the user applies and the laws on one body; and whether all of them were numbers. A wrench that is no number
+/// would take its body, and then every body that it touches, out of the world: it is left out.
+fn on_body(model: &Model, inputs: &Inputs, body: &BodyView, slot: usize, points: &PointMasses) -> (Wrench, bool) {
+    let weight = model.gravity * (model.mass[slot] * model.gravity_scale[slot]);
+    let mut sum = Wrench { force: weight + inputs.force[slot], torque: inputs.torque[slot] };
+    let mut all = true;
+    for field in &model.fields {
+        if !field.applies_to(body.id) {
+            continue;
+        }
+        let wrench = match &field.law {
+            Law::Central(f) => f.wrench(body),
+            Law::LinearDrag(f) => f.wrench(body),
+            Law::QuadraticDrag(f) => f.wrench(body),
+            Law::Buoyancy(f) => f.wrench(body),
+            Law::Custom(f) => f.wrench(body),
+            Law::MutualGravity(f) => gravitation(f, points, slot, body.x),
+            Law::Spring(_) | Law::TorsionSpring(_) => continue,
+        };
+        if wrench.is_finite() {
+            sum += wrench;
+        } else {
+            all = false;
+        }
+    }
+    (sum, all)
+}
+
+/// The two ends of a law between bodies: their slots, where they are bodies, and their wrenches.
+fn between(model: &Model, bodies: &Phase, time: f64, field: &Field) -> Option<[(Option<usize>, Wrench); 2]> {
+    let slot_of = |id: Option<BodyId>| id.and_then(|id| model.slots.slot(id));
+    let view_of = |slot: Option<usize>| slot.map(|slot| view(model, bodies, time, slot));
+    match &field.law {
+        Law::Spring(s) => {
+            let (a, b) = (slot_of(s.a.body), slot_of(s.b.body));
+            let on = s.wrenches(view_of(a).as_ref(), view_of(b).as_ref());
+            Some([(a, on.0), (b, on.1)])
+        }
+        Law::TorsionSpring(s) => {
+            let (a, b) = (slot_of(s.a), slot_of(Some(s.b)));
+            let on = s.wrenches(view_of(a).as_ref(), &view_of(b)?);
+            Some([(a, on.0), (b, on.1)])
+        }
+        _ => None,
+    }
+}
+
+/// The point masses of all dynamic bodies, for mutual gravitation.
+#[derive(Clone, Debug, Default)]
+pub(super) struct PointMasses {
+    /// Mass \[kg\] and place, world \[m\], body after body.
+    pub(super) points: Vec<(f64, Vec3)>,
+    /// First point mass of each dynamic body, and the end (n_dynamic + 1).
+    pub(super) first: Vec<usize>,
+}
+
+/// Lists the point masses of all dynamic bodies: one a shape, or the whole body where it has none; nothing where no law asks.
+fn place_point_masses(model: &Model, bodies: &Phase, into: &mut PointMasses) {
+    into.points.clear();
+    into.first.clear();
+    if !model.fields.iter().any(|f| matches!(f.law, Law::MutualGravity(_))) {
+        return;
+    }
+    for slot in 0..model.n_dynamic() {
+        into.first.push(into.points.len());
+        point_masses(model, bodies, slot, &mut |mass, x| into.points.push((mass, x)));
+    }
+    into.first.push(into.points.len());
 }
 
 /// The point masses of one body, world.
@@ -129,7 +180,8 @@ pub(super) fn point_masses(model: &Model, bodies: &Phase, slot: usize, visit: &m
 }
 
 /// The pull of all other bodies' point masses on one body's.
-fn gravitation(f: &MutualGravity, points: &[(f64, Vec3)], first: &[usize], slot: usize, x: Vec3) -> Wrench {
+fn gravitation(f: &MutualGravity, all: &PointMasses, slot: usize, x: Vec3) -> Wrench {
+    let PointMasses { points, first } = all;
     let mut sum = Wrench::ZERO;
     let own = first[slot]..first[slot + 1];
     for &(m, a) in &points[own.clone()] {
@@ -140,18 +192,4 @@ fn gravitation(f: &MutualGravity, points: &[(f64, Vec3)], first: &[usize], slot:
         sum += Wrench::at(force, a - x);
     }
     sum
-}
-
-/// A force that is no number would take its body, and then every body that it touches, out of the world: it is dropped,
-/// and the body is reported.
-fn quarantine(n: usize, scratch: &mut Scratch) {
-    for slot in 0..n {
-        if !(scratch.force[slot].is_finite() && scratch.torque[slot].is_finite()) {
-            scratch.force[slot] = Vec3::ZERO;
-            scratch.torque[slot] = Vec3::ZERO;
-            if !scratch.quarantined.contains(&slot) {
-                scratch.quarantined.push(slot);
-            }
-        }
-    }
 }

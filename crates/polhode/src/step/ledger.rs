@@ -46,7 +46,7 @@ pub fn energy(model: &Model, state: &State) -> Energy {
 }
 
 fn fields_potential(model: &Model, state: &State) -> f64 {
-    let at = |slot: usize| view(model, &state.bodies, state.time, slot);
+    let at = |slot: usize| view(model, &state.bodies, state.now(), slot);
     let of = |id: Option<_>| id.and_then(|id| model.slots.slot(id)).map(at);
     let mut sum = 0.0;
     for field in &model.fields {

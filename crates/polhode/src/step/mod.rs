@@ -3,6 +3,7 @@
 //! [`step`] reads as the list of stages; an argument's `&` or `&mut` is all that a stage may touch.
 
 mod forces;
+mod closing;
 mod split;
 mod coupled;
 mod ledger;
@@ -30,7 +31,9 @@ pub struct Report {
     pub pins: Residual,
     /// Whether an adaptive integrator's step vanished before it came to the end: the bodies are where it came.
     pub stalled: bool,
-    /// Bodies on which a force was not finite: it was dropped, the others went on.
+    /// Bodies whose velocity-dependent forces could not be solved for; their motion in this step is not to be trusted.
+    pub unconverged: usize,
+    /// Bodies on which a law gave a wrench that was not finite: that law was left out for them, and all else went on.
     pub quarantined: Vec<BodyId>,
     /// The energy after the step, where the world is audited.
     pub energy: Option<Energy>,
@@ -49,11 +52,20 @@ pub fn step(
 ) -> Report {
     scratch.begin(model);
     let moving = Moving { model, inputs, state, scratch, executor };
-    let pins = match model.integrator {
-        Integrator::Split { drift, kick, composition } => split::advance(moving, drift, kick, composition, dt),
-        Integrator::Coupled(scheme) => coupled::advance(moving, scheme, dt),
+    let moved = match model.integrator {
+        Integrator::Split { drift, kick, composition } => {
+            Moved { pins: split::advance(moving, drift, kick, composition, dt), dt }
+        }
+        Integrator::Coupled(scheme) => Moved { pins: Residual::default(), dt: coupled::advance(moving, scheme, dt) },
     };
-    rest(model, inputs, state, scratch, pins, dt)
+    rest(model, inputs, state, scratch, &moved, dt)
+}
+
+/// What stage 7 did.
+struct Moved {
+    pins: Residual,
+    /// How far it came \[s\]: less than was asked for where an adaptive method gave up.
+    dt: f64,
 }
 
 /// What stage 7 may touch.
@@ -66,21 +78,25 @@ struct Moving<'a> {
 }
 
 /// Stage 9: the clock, the user's forces, and the report.
-fn rest(model: &Model, inputs: &mut Inputs, state: &mut State, scratch: &Scratch, pins: Residual, dt: f64) -> Report {
+fn rest(model: &Model, inputs: &mut Inputs, state: &mut State, scratch: &Scratch, moved: &Moved, asked: f64) -> Report {
     // Neumaier's sum: a clock of a million steps is right to the last bit.
+    let dt = moved.dt;
     let time = state.time + dt;
     state.time_error += if state.time.abs() >= dt.abs() { (state.time - time) + dt } else { (dt - time) + state.time };
     state.time = time;
     state.steps += 1;
+    state.last_step = dt;
     if !inputs.keep {
         inputs.clear();
     }
+    let refused = scratch.refused.iter().enumerate().filter(|(_, refused)| **refused);
     Report {
-        time: state.time + state.time_error,
+        time: state.now(),
         bodies: model.n_dynamic(),
-        pins,
-        stalled: scratch.stalled,
-        quarantined: scratch.quarantined.iter().map(|&slot| model.slots.ids()[slot]).collect(),
+        pins: moved.pins,
+        stalled: dt != asked,
+        unconverged: scratch.unconverged,
+        quarantined: refused.map(|(slot, _)| model.slots.ids()[slot]).collect(),
         energy: None,
     }
 }
@@ -99,27 +115,15 @@ pub fn settle_pins(model: &Model, state: &mut State, scratch: &mut Scratch, body
 }
 
 /// Force \[N\] and torque about the centre of mass [N·m] that act on a body now, without the reactions of pins.
-pub fn wrench(
-    model: &Model,
-    inputs: &Inputs,
-    state: &State,
-    scratch: &mut Scratch,
-    slot: usize,
-) -> crate::field::Wrench {
-    scratch.begin(model);
+pub fn wrench(model: &Model, inputs: &Inputs, state: &State, slot: usize) -> crate::field::Wrench {
     if slot >= model.n_dynamic() {
         return crate::field::Wrench::ZERO;
     }
-    forces::forces(model, inputs, &state.bodies, state.time, &Executor::Serial, scratch);
-    if scratch.only_gravity {
-        let force = model.gravity * (model.mass[slot] * model.gravity_scale[slot]);
-        return crate::field::Wrench { force, torque: Vec3::ZERO };
-    }
-    crate::field::Wrench { force: scratch.force[slot], torque: scratch.torque[slot] }
+    forces::wrench(model, inputs, &state.bodies, state.now(), slot)
 }
 
 /// The velocity of the centre of mass \[m/s\] and the angular velocity \[rad/s\] of a body, world.
 pub fn velocities(model: &Model, state: &State, slot: usize) -> (Vec3, Vec3) {
-    let body = view(model, &state.bodies, state.time, slot);
+    let body = view(model, &state.bodies, state.now(), slot);
     (body.v, body.w)
 }

@@ -1,5 +1,8 @@
 //! Everything else that a step computes.
 
+use super::closing::Closing;
+use super::forces::PointMasses;
+use crate::field::Field;
 use crate::integrate::phase::Work;
 use crate::math::{Quat, Vec3};
 use crate::model::Model;
@@ -14,34 +17,34 @@ pub struct Scratch {
     pub(super) force: Vec<Vec3>,
     /// Sum of torques about the centres of mass, world [N·m] (n_bodies). Stage `forces`.
     pub(super) torque: Vec<Vec3>,
-    /// Point masses \[kg\] and where they are, world \[m\], body after body. Stage `forces`, for mutual gravitation.
-    pub(super) points: Vec<(f64, Vec3)>,
-    /// First point mass of each dynamic body, and the end (n_dynamic + 1). Stage `forces`.
-    pub(super) first_point: Vec<usize>,
-    /// Slots whose wrench was not finite in this step. Stage `forces`.
-    pub(super) quarantined: Vec<usize>,
+    /// Point masses of the dynamic bodies. Stage `forces`, for mutual gravitation.
+    pub(super) points: PointMasses,
+    /// Whether a wrench on the body was not finite in this step (n_bodies). Stage `forces`.
+    pub(super) refused: Vec<bool>,
     /// Slot, x, rot, p, l of the pinned bodies at the start of the substep. Stage `substep`.
     pub(super) pinned: Vec<(usize, Vec3, Quat, Vec3, Vec3)>,
     /// Rows of the pins of one body. Stage `substep`.
     pub(super) rows: Rows,
-    /// Momenta at the opening of the closing half (n_dynamic); only for fields that ask for the velocity. Stage `substep`.
-    pub(super) p_half: Vec<Vec3>,
-    /// The same for the angular momentum (n_dynamic).
-    pub(super) l_half: Vec<Vec3>,
-    /// Whether an adaptive method gave up within this step. Stage `substep`.
-    pub(super) stalled: bool,
+    /// The iteration of the closing half, only for fields that ask for the velocity. Stage `substep`.
+    pub(super) closing: Closing,
+    /// Bodies whose velocity-dependent forces were not solved for. Stage `substep`.
+    pub(super) unconverged: usize,
     /// Stages of the coupled schemes. Stage `substep`.
     pub(super) work: Work,
 }
 
 impl Scratch {
-    /// Makes room for a model, so that nothing after it allocates, and forgets the last step's reports.
+    /// Makes room for a model, so that nothing after it allocates, and forgets what the last step reported.
     pub(super) fn begin(&mut self, model: &Model) {
-        self.quarantined.clear();
-        self.stalled = false;
         let n = model.slots.len();
-        for array in [&mut self.force, &mut self.torque, &mut self.p_half, &mut self.l_half] {
+        for array in [&mut self.force, &mut self.torque] {
             array.resize(n, Vec3::splat(f64::NAN));
+        }
+        self.refused.clear();
+        self.refused.resize(n, false);
+        self.unconverged = 0;
+        if model.fields.iter().any(Field::depends_on_velocity) {
+            self.closing.fit(n);
         }
         let most = model.pins.chunk_by(|a, b| a.body == b.body).map(<[_]>::len).max().unwrap_or(0);
         self.rows.reserve(most);
@@ -50,15 +53,16 @@ impl Scratch {
     /// Overwrites everything with what no computation survives. For tests.
     pub fn poison(&mut self) {
         self.only_gravity = !self.only_gravity;
-        for array in [&mut self.force, &mut self.torque, &mut self.p_half, &mut self.l_half] {
+        for array in [&mut self.force, &mut self.torque] {
             array.fill(Vec3::splat(f64::NAN));
         }
-        self.points.clear();
-        self.points.push((f64::NAN, Vec3::splat(f64::NAN)));
-        self.first_point.clear();
-        self.quarantined.clear();
-        self.stalled = false;
+        self.points.points.clear();
+        self.points.points.push((f64::NAN, Vec3::splat(f64::NAN)));
+        self.points.first.clear();
+        self.refused.fill(true);
+        self.unconverged = usize::MAX;
         self.pinned.clear();
+        self.closing.poison();
         self.rows.poison();
         self.work.poison();
     }

@@ -1,12 +1,15 @@
 //! Stage 7: the bodies move.
 //!
-//! A symmetric step is `kick h/2 · drift h · kick h/2`; with pins it is RATTLE, whose impulses λ join the opening half and µ
-//! the closing half. Uniform gravity is the same before and after a drift, so where nothing else pushes, the three go
+//! A symmetric step is `kick h/2 · drift h · kick h/2`. A pinned body's drift is the free motion that its pins leave, and its
+//! kicks end with the impulses µ that bring its pinned points to rest. Uniform gravity is the same before and after a drift, so where nothing else pushes, the three go
 //! through the cache together.
 
 use super::Moving;
+use super::closing::MOST_EVALUATIONS;
 use super::forces::forces;
+
 use super::scratch::Scratch;
+use crate::field::Field;
 use crate::integrate::lanes;
 use crate::integrate::{Composition, Drift, Kick, Phase, exponential};
 use crate::math::{Quat, Vec3};
@@ -79,12 +82,8 @@ impl<'a> Push<'a> {
             }
             Some((force, torque)) => {
                 for (i, (p, l)) in p.iter_mut().zip(l).enumerate() {
-                    let (mut f, mut t) = (force[first + i], torque[first + i]);
-                    if self.model.planar {
-                        (f.z, t.x, t.y) = (0.0, 0.0, 0.0);
-                    }
-                    *p += f * h;
-                    *l += t * h;
+                    *p += force[first + i] * h;
+                    *l += torque[first + i] * h;
                 }
             }
         }
@@ -111,8 +110,11 @@ fn drift(model: &Model, drift: Drift, first: usize, block: &mut Block, h: f64) {
 /// A split step: the composition's stages, one after the other.
 pub(super) fn advance(moving: Moving, drift: Drift, kick: Kick, composition: Composition, dt: f64) -> Residual {
     let Moving { model, inputs, state, scratch, executor } = moving;
-    let mut stage = Stage { model, inputs, state, scratch, executor, drift };
-    let time = stage.state.time;
+    let longest =
+        composition.fractions().iter().fold(0.0f64, |longest, fraction| longest.max(fraction.abs())) * dt.abs();
+    let mut stage = Stage { model, inputs, state, scratch, executor, drift, longest };
+    let time = stage.state.now();
+    stage.state.pin_impulse.fill(Vec3::ZERO);
     stage.forces(time);
     match kick {
         Kick::Explicit => {
@@ -131,7 +133,7 @@ pub(super) fn advance(moving: Moving, drift: Drift, kick: Kick, composition: Com
             for &fraction in composition.fractions() {
                 let h = fraction * dt;
                 elapsed += h;
-                worst = worst.max(stage.verlet(h, time + elapsed, composition.order()));
+                worst = worst.max(stage.verlet(h, time + elapsed));
             }
             worst
         }
@@ -146,6 +148,8 @@ struct Stage<'a> {
     scratch: &'a mut Scratch,
     executor: &'a Executor,
     drift: Drift,
+    /// The longest stage of the composition \[s\].
+    longest: f64,
 }
 
 impl Stage<'_> {
@@ -175,8 +179,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Kick h/2, drift h, kick h/2, ending at `time`; with pins, RATTLE.
-    fn verlet(&mut self, h: f64, time: f64, order: usize) -> Residual {
+    /// Kick h/2, drift h, kick h/2, ending at `time`; pinned bodies turn about their pins.
+    fn verlet(&mut self, h: f64, time: f64) -> Residual {
         let model = self.model;
         let fused = self.scratch.only_gravity;
         self.keep_pinned();
@@ -190,29 +194,40 @@ impl Stage<'_> {
             }
         });
         self.prescribed(h);
-        let residual = self.open_pins(h);
+        let residual = self.drift_pinned(h);
         if fused {
-            self.close_pins(h);
-            return residual;
-        }
-        // A force that depends on the velocity is wanted at the end of the kick that it drives: a fixed point, iterated as
-        // often as the order asks for, since each evaluation gains one order of h.
-        let implicit = model.fields.iter().any(crate::field::Field::depends_on_velocity);
-        let n = model.n_dynamic();
-        if implicit {
-            self.scratch.p_half[..n].copy_from_slice(&self.state.bodies.p[..n]);
-            self.scratch.l_half[..n].copy_from_slice(&self.state.bodies.l[..n]);
-        }
-        for evaluation in 0..if implicit { order + 1 } else { 1 } {
+            self.close_pins(h, true);
+        } else if model.fields.iter().any(Field::depends_on_velocity) {
+            self.close_implicitly(h, time);
+        } else {
             self.forces(time);
-            if evaluation > 0 {
-                self.state.bodies.p[..n].copy_from_slice(&self.scratch.p_half[..n]);
-                self.state.bodies.l[..n].copy_from_slice(&self.scratch.l_half[..n]);
-            }
             self.kick(0.5 * h);
-            self.close_pins(h);
+            self.close_pins(h, true);
         }
         residual
+    }
+
+    /// The closing half kick by forces that depend on where it leads: see [`super::closing`].
+    fn close_implicitly(&mut self, h: f64, time: f64) {
+        let n = self.model.n_dynamic();
+        self.scratch.closing.open(&self.state.bodies, n);
+        for evaluation in 1..=MOST_EVALUATIONS {
+            self.forces(time);
+            self.scratch.closing.reopen(&mut self.state.bodies, n);
+            self.kick(0.5 * h);
+            self.close_pins(h, false);
+            let last = evaluation == MOST_EVALUATIONS;
+            let unsolved = self.scratch.closing.improve(&mut self.state.bodies, n, evaluation == 1, last);
+            if last {
+                self.scratch.unconverged = self.scratch.unconverged.max(unsolved);
+            }
+            if unsolved == 0 {
+                break;
+            }
+        }
+        for (sum, closing) in self.state.pin_impulse.iter_mut().zip(&self.state.pin_closing) {
+            *sum += *closing;
+        }
     }
 
     /// Remembers the pinned bodies as they are before the blocks drift them freely.
@@ -226,53 +241,41 @@ impl Stage<'_> {
         }
     }
 
-    /// The opening half of the pinned bodies: kick, λ, drift.
-    fn open_pins(&mut self, h: f64) -> Residual {
+    /// The opening half kick of the pinned bodies and their drift.
+    fn drift_pinned(&mut self, h: f64) -> Residual {
         let mut worst = Residual::default();
-        if self.model.pins.is_empty() {
-            return worst;
-        }
-        let scale = if self.state.pin_step == 0.0 { 0.0 } else { h / self.state.pin_step };
         let mut first = 0;
         for which in 0..self.scratch.pinned.len() {
             let (slot, x, rot, mut p, mut l) = self.scratch.pinned[which];
-            Push::new(self.model, self.scratch).kick(
-                slot,
-                core::slice::from_mut(&mut p),
-                core::slice::from_mut(&mut l),
-                0.5 * h,
-            );
+            let (p1, l1) = (core::slice::from_mut(&mut p), core::slice::from_mut(&mut l));
+            Push::new(self.model, self.scratch).kick(slot, p1, l1, 0.5 * h);
             let bodies = &mut self.state.bodies;
             (bodies.x[slot], bodies.rot[slot], bodies.p[slot], bodies.l[slot]) = (x, rot, p, l);
             let pins = self.pins_at(first);
             first = pins.end;
-            for (reaction, impulse) in
-                self.state.pin_opening[pins.clone()].iter_mut().zip(&self.state.pin_closing[pins.clone()])
-            {
-                *reaction = *impulse * scale;
-            }
-            let (map, k) = (self.drift, self.model.inv_inertia[slot]);
+            let map = self.drift;
             let mut body = pinned(self.model, &mut self.state.bodies, slot);
+            let sum = &mut self.state.pin_impulse[pins.clone()];
+            let rows = &mut self.scratch.rows;
             if let [pin] = self.model.pins[pins.clone()] {
                 let rotate = |rot, l, k| map.rotate(rot, l, k, h);
-                self.state.pin_opening[pins.start] =
-                    body.drift_about(&pin, self.model.mass[slot], rotate, &mut self.scratch.rows);
+                sum[0] += body.drift_about(&pin, self.model.mass[slot], rotate, rows);
                 continue;
             }
-            let residual = body.close_positions(
-                |i| point(self.model, pins.start + i),
-                &mut self.state.pin_opening[pins.clone()],
-                h,
-                |rot, l| map.rotate(rot, l, k, h),
-                &mut self.scratch.rows,
-            );
-            worst = worst.max(residual);
+            let k = self.model.inv_inertia[slot];
+            let closing = &mut self.state.pin_closing[pins.clone()];
+            let points = |i: usize| point(self.model, pins.start + i);
+            let rotate = |rot, l, h| map.rotate(rot, l, k, h);
+            let [k1, k2, k3] = self.model.pins[pins.start].inv_inertia.to_array();
+            let least_inertia = 1.0 / k1.max(k2).max(k3);
+            worst =
+                worst.max(body.drift_by_rattle(points, (closing, sum), (h, self.longest, least_inertia), rotate, rows));
         }
         worst
     }
 
     /// The closing half of the pinned bodies: kick (where the blocks' was lost with their free drift), µ.
-    fn close_pins(&mut self, h: f64) {
+    fn close_pins(&mut self, h: f64, count: bool) {
         let mut first = 0;
         for which in 0..self.scratch.pinned.len() {
             let slot = self.scratch.pinned[which].0;
@@ -285,13 +288,14 @@ impl Stage<'_> {
             let start = first;
             first = pins.end;
             let mut body = pinned(self.model, &mut self.state.bodies, slot);
-            body.close_velocities(
-                |i| point(self.model, start + i),
-                &mut self.state.pin_closing[pins],
-                &mut self.scratch.rows,
-            );
+            let closing = &mut self.state.pin_closing[pins.clone()];
+            body.close_velocities(|i| point(self.model, start + i), closing, &mut self.scratch.rows);
+            if count {
+                for (sum, closing) in self.state.pin_impulse[pins].iter_mut().zip(closing.iter()) {
+                    *sum += *closing;
+                }
+            }
         }
-        self.state.pin_step = h;
     }
 
     /// The run of pins of one body that starts at `first`.

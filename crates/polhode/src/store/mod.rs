@@ -18,7 +18,7 @@ impl BodyId {
     }
     /// How often the number had been used before.
     pub fn generation(self) -> u32 {
-        self.generation
+        self.generation / 2
     }
 }
 
@@ -91,8 +91,8 @@ impl Slots {
         (self.generation.get(i) == Some(&id.generation)).then(|| self.slot_of[i] as usize)
     }
 
-    /// Makes room for a body at the end of its group. Every dense array has to be one longer, then follow the moves
-    /// (from the last group down); the new body belongs in the returned slot.
+    /// Makes room for a body at the end of its group. Every dense array has to take the new element at its end and then
+    /// swap as the moves say, which brings it to the returned slot: see [`insert_into`].
     ///
     /// # Panics
     /// Above 2³² bodies.
@@ -104,7 +104,7 @@ impl Slots {
             self.slot_of.push(0);
             index
         });
-        // Generations of living bodies are odd, so a default id of generation 0 is never alive.
+        // Generations of living bodies are odd.
         self.generation[index as usize] += 1;
         let id = BodyId { index, generation: self.generation[index as usize] };
         self.ids.push(id);
@@ -152,12 +152,11 @@ impl Slots {
 }
 
 /// Follows [`Slots::insert`] in one dense array.
-pub fn insert_into<T: Clone>(array: &mut Vec<T>, slot: usize, moves: [Option<Move>; 2], value: T) {
-    array.push(value.clone());
+pub fn insert_into<T>(array: &mut Vec<T>, moves: [Option<Move>; 2], value: T) {
+    array.push(value);
     for m in moves.into_iter().flatten() {
-        array[m.to] = array[m.from].clone();
+        array.swap(m.from, m.to);
     }
-    array[slot] = value;
 }
 
 /// Follows [`Slots::remove`] in one dense array.
@@ -192,7 +191,8 @@ mod tests {
                     continue;
                 }};
                 let (id, slot, moves) = slots.insert(group);
-                insert_into(&mut array, slot, moves, (id, group));
+                insert_into(&mut array, moves, (id, group));
+                prop_assert_eq!(array[slot], (id, group));
                 alive.push((id, group));
                 prop_assert_eq!(slots.len(), alive.len());
                 for &(id, group) in &alive {

@@ -6,7 +6,7 @@ use crate::field::Wrench;
 use crate::math::{Mat3, Pose, Quat, Vec3};
 use crate::shape::Shape;
 use crate::state::view;
-use crate::step::{self, Scratch};
+use crate::step;
 use crate::store::{BodyId, Group};
 
 /// A body, to read. All vectors are in world axes unless the name says otherwise.
@@ -82,8 +82,11 @@ impl<'a> BodyRef<'a> {
     pub fn principal_frame(&self) -> Pose {
         self.world.model.frame[self.slot]
     }
-    /// J = R J0 Rᵀ about the centre of mass, world axes [kg·m²].
+    /// J = R J0 Rᵀ about the centre of mass, world axes [kg·m²]; infinite on the diagonal where forces move nothing.
     pub fn inertia(&self) -> Mat3 {
+        if self.group() != Group::Dynamic {
+            return Mat3::diagonal(Vec3::splat(f64::INFINITY));
+        }
         let r = self.world.state.bodies.rot[self.slot].to_mat3();
         r * Mat3::diagonal(self.world.model.inertia[self.slot]) * r.transposed()
     }
@@ -121,7 +124,7 @@ impl<'a> BodyRef<'a> {
     /// The reactions of pins are not in it.
     pub fn wrench(&self) -> Wrench {
         let world = self.world;
-        step::wrench(&world.model, &world.inputs, &world.state, &mut Scratch::default(), self.slot)
+        step::wrench(&world.model, &world.inputs, &world.state, self.slot)
     }
     /// v̇ \[m/s²\] and ω̇ = J⁻¹(τ − ω × L) \[rad/s²\], with the reactions of its pins.
     pub fn acceleration(&self) -> (Vec3, Vec3) {
@@ -140,7 +143,7 @@ impl<'a> BodyRef<'a> {
     }
 }
 
-/// A body, to push and move; reads like a [`BodyRef`].
+/// A body, to push and move; [`BodyMut::read`] reads it.
 pub struct BodyMut<'a> {
     world: &'a mut World,
     slot: usize,
@@ -198,8 +201,7 @@ impl<'a> BodyMut<'a> {
     /// If it is not finite, or forces do not move the body.
     pub fn apply_impulse(&mut self, impulse: impl Into<Vec3>) -> Result<(), Error> {
         let impulse = self.push("impulse", impulse.into())?;
-        self.strike(impulse, Vec3::ZERO);
-        Ok(())
+        self.strike(impulse, Vec3::ZERO)
     }
     /// Changes the momenta by an impulse [N·s] at a point of the world \[m\], now: p += P, L += (r − x) × P.
     ///
@@ -209,8 +211,7 @@ impl<'a> BodyMut<'a> {
         let impulse = self.push("impulse", impulse.into())?;
         let point = self.push("point", point.into())?;
         let arm = point - self.world.state.bodies.x[self.slot];
-        self.strike(impulse, arm.cross(impulse));
-        Ok(())
+        self.strike(impulse, arm.cross(impulse))
     }
     /// Changes the angular momentum by an angular impulse [N·m·s], now.
     ///
@@ -218,8 +219,7 @@ impl<'a> BodyMut<'a> {
     /// If it is not finite, or forces do not move the body.
     pub fn apply_angular_impulse(&mut self, impulse: impl Into<Vec3>) -> Result<(), Error> {
         let impulse = self.push("impulse", impulse.into())?;
-        self.strike(Vec3::ZERO, impulse);
-        Ok(())
+        self.strike(Vec3::ZERO, impulse)
     }
 
     /// Sets the velocity of the centre of mass \[m/s\]; for a kinematic body, the one it keeps.
@@ -229,7 +229,7 @@ impl<'a> BodyMut<'a> {
     pub fn set_velocity(&mut self, v: impl Into<Vec3>) -> Result<(), Error> {
         let v = self.movable("velocity", v.into())?;
         self.in_plane("velocity", v.z == 0.0)?;
-        self.world.state.bodies.p[self.slot] = v * self.world.model.mass[self.slot];
+        self.world.state.bodies.p[self.slot] = bounded("velocity", v * self.world.model.mass[self.slot])?;
         self.settle();
         Ok(())
     }
@@ -242,7 +242,8 @@ impl<'a> BodyMut<'a> {
         self.in_plane("angular_velocity", w.x == 0.0 && w.y == 0.0)?;
         let rot = self.world.state.bodies.rot[self.slot];
         let inertia = self.world.model.inertia[self.slot];
-        self.world.state.bodies.l[self.slot] = rot.rotate(rot.inverse_rotate(w).scale(inertia));
+        let l = rot.rotate(rot.inverse_rotate(w).scale(inertia));
+        self.world.state.bodies.l[self.slot] = bounded("angular_velocity", l)?;
         self.settle();
         Ok(())
     }
@@ -264,13 +265,7 @@ impl<'a> BodyMut<'a> {
     /// holds it elsewhere.
     pub fn set_pose(&mut self, position: impl Into<Vec3>, rotation: impl Into<Quat>) -> Result<(), Error> {
         let (x, rot) = (position.into(), rotation.into());
-        if !x.is_finite() {
-            return Err(Error::new("position", format!("is {:?}; it must be finite", x.to_array())));
-        }
-        let norm = rot.norm_squared();
-        if !(1e-12..=1e12).contains(&norm) {
-            return Err(Error::new("rotation", format!("the quaternion {rot:?} has no direction")));
-        }
+        require_pose(x, rot)?;
         self.in_plane("position", x.z == 0.0)?;
         self.in_plane("rotation", rot.x == 0.0 && rot.y == 0.0)?;
         let w = self.read().angular_velocity();
@@ -297,10 +292,15 @@ impl<'a> BodyMut<'a> {
         if !(dt > 0.0 && dt.is_finite()) {
             return Err(Error::new("dt", format!("is {dt} s; it must be positive")));
         }
-        let (x, rot) = (position.into(), rotation.into().normalized());
+        let (x, rot) = (position.into(), rotation.into());
+        require_pose(x, rot)?;
         let now = self.read().pose();
-        self.set_velocity((x - now.x) / dt)?;
-        self.set_angular_velocity((rot * now.rot.conjugate()).to_rotation_vector() / dt)
+        let w = (rot.normalized() * now.rot.conjugate()).to_rotation_vector() / dt;
+        let v = (x - now.x) / dt;
+        self.in_plane("position", v.z == 0.0)?;
+        self.in_plane("rotation", w.x == 0.0 && w.y == 0.0)?;
+        self.set_velocity(v)?;
+        self.set_angular_velocity(w)
     }
 
     fn push(&self, name: &str, v: Vec3) -> Result<Vec3, Error> {
@@ -329,13 +329,16 @@ impl<'a> BodyMut<'a> {
         self.world.inputs.force[self.slot] += force;
         self.world.inputs.torque[self.slot] += torque;
     }
-    fn strike(&mut self, mut p: Vec3, mut l: Vec3) {
+    fn strike(&mut self, mut p: Vec3, mut l: Vec3) -> Result<(), Error> {
         if self.world.model.planar {
             (p.z, l.x, l.y) = (0.0, 0.0, 0.0);
         }
-        self.world.state.bodies.p[self.slot] += p;
-        self.world.state.bodies.l[self.slot] += l;
+        let bodies = &mut self.world.state.bodies;
+        let p = bounded("impulse", bodies.p[self.slot] + p)?;
+        let l = bounded("impulse", bodies.l[self.slot] + l)?;
+        (bodies.p[self.slot], bodies.l[self.slot]) = (p, l);
         self.settle();
+        Ok(())
     }
     fn settle(&mut self) {
         let id = self.read().id();
@@ -344,6 +347,26 @@ impl<'a> BodyMut<'a> {
             step::settle_pins(model, state, scratch, id);
         }
     }
+}
+
+/// Refuses a place that is not finite and a quaternion without a direction.
+fn require_pose(x: Vec3, rot: Quat) -> Result<(), Error> {
+    if !x.is_finite() {
+        return Err(Error::new("position", format!("is {:?}; it must be finite", x.to_array())));
+    }
+    if !(1e-12..=1e12).contains(&rot.norm_squared()) {
+        let q: [f64; 4] = rot.into();
+        return Err(Error::new("rotation", format!("the quaternion {q:?} has no direction")));
+    }
+    Ok(())
+}
+
+/// Refuses a momentum that overflows.
+fn bounded(name: &str, momentum: Vec3) -> Result<Vec3, Error> {
+    if momentum.length_squared().is_finite() {
+        return Ok(momentum);
+    }
+    Err(Error::new(name, format!("the momentum {:?} overflows", momentum.to_array())))
 }
 
 /// What the laws of force see of a body.

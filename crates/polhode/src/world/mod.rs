@@ -79,16 +79,17 @@ impl World {
     /// # Errors
     /// What is wrong with the description, with the path to it; the world is unchanged.
     pub fn add(&mut self, body: Body) -> Result<BodyId, Error> {
-        let Added { id, slot, moves, start } = self.model.add(body)?;
+        let Added { id, moves, start, .. } = self.model.add(body)?;
+        self.state.revision += 1;
         let bodies = &mut self.state.bodies;
-        insert_into(&mut bodies.x, slot, moves, start.x);
-        insert_into(&mut bodies.rot, slot, moves, start.rot);
-        insert_into(&mut bodies.p, slot, moves, start.p);
-        insert_into(&mut bodies.l, slot, moves, start.l);
-        insert_into(&mut self.inputs.force, slot, moves, Vec3::ZERO);
-        insert_into(&mut self.inputs.torque, slot, moves, Vec3::ZERO);
+        insert_into(&mut bodies.x, moves, start.x);
+        insert_into(&mut bodies.rot, moves, start.rot);
+        insert_into(&mut bodies.p, moves, start.p);
+        insert_into(&mut bodies.l, moves, start.l);
+        insert_into(&mut self.inputs.force, moves, Vec3::ZERO);
+        insert_into(&mut self.inputs.torque, moves, Vec3::ZERO);
         if self.model.integrator.keeps_matrix() {
-            insert_into(&mut self.state.matrix, slot, moves, start.rot.to_mat3());
+            insert_into(&mut self.state.matrix, moves, start.rot.to_mat3());
         }
         Ok(id)
     }
@@ -105,8 +106,9 @@ impl World {
         if !self.state.matrix.is_empty() {
             remove_from(&mut self.state.matrix, moves);
         }
-        self.state.pin_opening.drain(pins.clone());
-        self.state.pin_closing.drain(pins);
+        self.state.pin_closing.drain(pins.clone());
+        self.state.pin_impulse.drain(pins);
+        self.state.revision += 1;
         true
     }
     /// A body, to read.
@@ -151,24 +153,42 @@ impl World {
     pub fn state(&self) -> &State {
         &self.state
     }
-    /// Takes the world back, or forward, to a state that a world of the same bodies had.
+    /// Takes the world back, or forward, to a state that it, or a world built the same way, had. Forces
+    /// that were applied for one step are forgotten; those that are kept stay.
     ///
     /// # Errors
-    /// If the state is of another number of bodies or pins; the world is unchanged.
+    /// If bodies or pins were added or removed since; the world is unchanged.
     pub fn restore(&mut self, state: &State) -> Result<(), Error> {
-        let (bodies, pins) = (state.bodies.x.len(), state.pin_closing.len());
-        if bodies != self.len() || pins != self.model.pins.len() {
+        let (n, pins) = (self.len(), self.model.pins.len());
+        let bodies = [state.bodies.x.len(), state.bodies.p.len(), state.bodies.l.len(), state.bodies.rot.len()];
+        let fits = bodies == [n; 4] && state.pin_closing.len() == pins && state.pin_impulse.len() == pins;
+        if !fits || state.revision != self.state.revision {
+            let [found, ..] = bodies;
             return Err(Error::new(
                 "state",
                 format!(
-                    "is of {bodies} bodies and {pins} pins; this world has {} and {}",
-                    self.len(),
-                    self.model.pins.len()
+                    "is of {found} bodies and {} pins after {} changes; this world has {n} and {pins} after {}",
+                    state.pin_closing.len(),
+                    state.revision,
+                    self.state.revision
                 ),
             ));
         }
         self.state.clone_from(state);
+        if !self.inputs.keep {
+            self.inputs.clear();
+        }
+        if !(self.model.integrator.keeps_matrix() && self.state.matrix.len() == n) {
+            self.rebuild_matrices();
+        }
         Ok(())
+    }
+    /// The matrices R where the integrator keeps them, from the quaternions.
+    fn rebuild_matrices(&mut self) {
+        self.state.matrix.clear();
+        if self.model.integrator.keeps_matrix() {
+            self.state.matrix.extend(self.state.bodies.rot.iter().map(|rot| rot.to_mat3()));
+        }
     }
 
     // ---- forces ----
@@ -230,10 +250,7 @@ impl World {
             ));
         }
         self.model.integrator = integrator;
-        self.state.matrix.clear();
-        if integrator.keeps_matrix() {
-            self.state.matrix.extend(self.state.bodies.rot.iter().map(|rot| rot.to_mat3()));
-        }
+        self.rebuild_matrices();
         Ok(())
     }
     /// The width of the arithmetic; it changes no result.
@@ -258,10 +275,10 @@ impl World {
     }
     /// Advances the world by `dt` \[s\].
     ///
-    /// Stepping does not fail: what went wrong is in the report. A `dt` that is not finite moves nothing; a negative one goes
+    /// Stepping does not fail: what went wrong is in the report. A `dt` that is zero or not finite does nothing; a negative one goes
     /// back in time, which a symmetric scheme does exactly but for rounding.
     pub fn step(&mut self, dt: f64) -> Report {
-        if !dt.is_finite() {
+        if !dt.is_finite() || dt == 0.0 {
             return Report { time: self.time(), bodies: self.model.n_dynamic(), ..Report::default() };
         }
         let Self { model, state, inputs, scratch, executor, audit } = self;
@@ -273,7 +290,7 @@ impl World {
     }
     /// Simulated time \[s\].
     pub fn time(&self) -> f64 {
-        self.state.time + self.state.time_error
+        self.state.now()
     }
     /// Number of steps taken.
     pub fn steps(&self) -> u64 {
@@ -281,6 +298,19 @@ impl World {
     }
 
     // ---- what the world has ----
+
+    /// The body of a name; the first of several.
+    pub fn find(&self, name: &str) -> Option<BodyId> {
+        self.bodies().find(|body| body.name() == Some(name)).map(|body| body.id())
+    }
+    /// Whether the world is the plane z = 0.
+    pub fn is_planar(&self) -> bool {
+        self.model.planar
+    }
+    /// The forces and torques that are applied to the next step.
+    pub fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
 
     /// The energy of all dynamic bodies \[J\].
     pub fn energy(&self) -> Energy {

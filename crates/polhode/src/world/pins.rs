@@ -42,8 +42,9 @@ impl World {
         let local = self.model.frame[slot].inverse_point(point);
         let (id, place) =
             self.model.add_pin(Pin::new(body, local, at, self.model.mass[slot], self.model.inertia[slot]));
-        self.state.pin_opening.insert(place, Vec3::ZERO);
         self.state.pin_closing.insert(place, Vec3::ZERO);
+        self.state.pin_impulse.insert(place, Vec3::ZERO);
+        self.state.revision += 1;
         step::settle_pins(&self.model, &mut self.state, &mut self.scratch, body);
         Ok(id)
     }
@@ -52,17 +53,17 @@ impl World {
         let Some(place) = self.place_of(id) else { return false };
         self.model.pins.remove(place);
         self.model.pin_ids.remove(place);
-        self.state.pin_opening.remove(place);
         self.state.pin_closing.remove(place);
+        self.state.pin_impulse.remove(place);
+        self.state.revision += 1;
         true
     }
-    /// The force that a pin put on its body during the last step \[N\], or `None` if it was taken out.
+    /// The mean force that a pin put on its body during the last step \[N\]; zero before the first step, `None` if it was
+    /// taken out.
     pub fn pin_reaction(&self, id: PinId) -> Option<Vec3> {
         let place = self.place_of(id)?;
-        if self.state.pin_step == 0.0 {
-            return Some(Vec3::ZERO);
-        }
-        Some((self.state.pin_opening[place] + self.state.pin_closing[place]) / self.state.pin_step)
+        let dt = self.state.last_step;
+        Some(if dt == 0.0 { Vec3::ZERO } else { self.state.pin_impulse[place] / dt })
     }
     /// How far a pinned point is from where it is held \[m\], or `None` if the pin was taken out.
     pub fn pin_gap(&self, id: PinId) -> Option<f64> {

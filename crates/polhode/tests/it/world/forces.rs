@@ -202,3 +202,46 @@ fn fields_refuse_what_they_cannot_do() {
     refused(Field::linear_drag(1.0, 0.0).only([gone]), "only[0]: names a body that is not");
     refused(Field::buoyancy(f64::INFINITY, 0.0), "density");
 }
+
+/// However strong the damping, a step is stable and every body settles at its terminal velocity.
+#[test]
+fn stiff_damping_is_stable() {
+    for c in [1.0, 100.0, 1e3, 1e5] {
+        let mut world = World::new();
+        let id = world.add(ball(4.0).velocity([5.0, 0.0, 3.0]).angular_velocity([1.0, 2.0, 3.0])).unwrap();
+        world.add_field(Field::linear_drag(c, c)).unwrap();
+        let (speed, spin) = (world.body(id).velocity().length(), world.body(id).angular_velocity().length());
+        for _ in 0..20_000 {
+            let report = world.step(1.0 / 60.0);
+            assert_eq!(report.unconverged, 0, "c = {c}");
+            let b = world.body(id);
+            assert!(b.velocity().length() < 2.0 * speed + 40.0 && b.angular_velocity().length() <= spin * (1.0 + 1e-9));
+        }
+        if c <= 1e3 {
+            // The trapezoidal rule damps by (z − 1)/(z + 1) a step, z = h c/(2m): within 20,000 steps to rounding.
+            assert!((world.body(id).velocity() - Vec3::new(0.0, 0.0, -4.0 * 9.81 / c)).length() < 1e-9, "c = {c}");
+        }
+    }
+    let mut world = World::new();
+    let id = world.add(ball(4.0).velocity([1000.0, 0.0, 0.0])).unwrap();
+    world.add_field(Field::quadratic_drag(1.0, 0.0)).unwrap();
+    for _ in 0..3000 {
+        assert_eq!(world.step(1.0 / 60.0).unconverged, 0);
+        assert!(world.body(id).velocity().length() <= 1000.0);
+    }
+    assert!((world.body(id).velocity().z + libm::sqrt(4.0 * 9.81)).abs() < 1e-6);
+}
+
+/// A law that is no number for a body takes nothing else from it, and nothing from its partner.
+#[test]
+fn one_bad_law_leaves_the_others() {
+    let mut world = World::new();
+    let (a, b) = (world.add(ball(1.0)).unwrap(), world.add(ball(1.0).position([1.0, 0.0, 0.0])).unwrap());
+    world.add_field(Field::spring(Anchor::on(a, [0.0; 3]), Anchor::on(b, [0.0; 3]), 10.0, 0.5)).unwrap();
+    world.add_field(Field::custom(|_| Wrench { force: Vec3::splat(f64::NAN), torque: Vec3::ZERO }).only([a])).unwrap();
+    for _ in 0..10 {
+        assert_eq!(world.step(0.01).quarantined, [a]);
+    }
+    assert!((world.body(a).velocity().z + 0.981).abs() < 1e-12, "gravity still pulls");
+    assert!(world.momentum().x.abs() < 1e-15, "and the spring pulls both alike");
+}
