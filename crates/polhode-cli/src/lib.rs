@@ -7,6 +7,7 @@
 pub mod bench;
 pub mod check;
 mod progress;
+mod random;
 mod terminal;
 
 pub use progress::Progress;

@@ -1,8 +1,8 @@
 //! What bodies that push each other keep between them.
 
-use super::random::Random;
 use super::scene::{rigid, same_bits};
 use super::suite::{Check, Findings, Group, Subject};
+use crate::random::Random;
 use polhode::field::{Anchor, Field, Law, MutualGravity};
 use polhode::math::Vec3;
 use polhode::store::BodyId;

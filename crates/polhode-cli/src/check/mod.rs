@@ -9,7 +9,6 @@ mod report;
 mod json;
 mod reference;
 mod slope;
-mod random;
 mod scene;
 
 mod free;
@@ -25,6 +24,7 @@ mod determinism;
 mod pins;
 mod lecture;
 
+pub(crate) use report::draw;
 pub use suite::{Check, Findings, Group, Measured, Subject, Table, Verdict, suite};
 
 use crate::{Outcome, Progress, Refusal, Terminal};
