@@ -26,7 +26,7 @@ pub(super) const CHECKS: &[Check] = &[
 const N_BODIES: usize = 50;
 
 /// Fifty bodies, each on a damped spring to the next, in their common gravitation.
-fn web(subject: &Subject) -> Result<(World, Vec<BodyId>), Error> {
+fn web(subject: Subject) -> Result<(World, Vec<BodyId>), Error> {
     let mut random = Random::new(1);
     let mut world = subject.world("pdmv6")?;
     let mut ids = Vec::new();
@@ -45,7 +45,7 @@ fn web(subject: &Subject) -> Result<(World, Vec<BodyId>), Error> {
     Ok((world, ids))
 }
 
-fn momentum(subject: &Subject) -> Result<Findings, Error> {
+fn momentum(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (mut world, _) = web(subject)?;
     let points = [Vec3::ZERO, Vec3::new(30.0, -20.0, 10.0)];
@@ -81,7 +81,7 @@ fn momentum(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn third_law(subject: &Subject) -> Result<Findings, Error> {
+fn third_law(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let mut random = Random::new(2);
     let law = MutualGravity { constant: 0.3, softening: 0.01 };

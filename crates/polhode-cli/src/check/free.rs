@@ -89,7 +89,7 @@ pub(super) const CHECKS: &[Check] = &[
 const TWICE: &str = "twice the error of an independent implementation of the method";
 
 /// A world with the top in it, at the start.
-fn with_top(subject: &Subject, top: &FreeTop, integrator: &str) -> Result<World, Error> {
+fn with_top(subject: Subject, top: &FreeTop, integrator: &str) -> Result<World, Error> {
     let mut world = subject.world(integrator)?;
     world.add(rigid(1.0, top.inertia)?.angular_velocity(top.w))?;
     Ok(world)
@@ -100,7 +100,7 @@ fn attitude(world: &World) -> Quat {
 }
 
 /// The largest attitude error over all rows \[rad\].
-fn worst_attitude(subject: &Subject, top: &FreeTop, integrator: &str, h: f64) -> Result<f64, Error> {
+fn worst_attitude(subject: Subject, top: &FreeTop, integrator: &str, h: f64) -> Result<f64, Error> {
     let mut world = with_top(subject, top, integrator)?;
     let mut worst: f64 = 0.0;
     visit(&mut world, h, top.rows.iter().map(|r| r.0), |row, world| {
@@ -109,7 +109,7 @@ fn worst_attitude(subject: &Subject, top: &FreeTop, integrator: &str, h: f64) ->
     Ok(worst)
 }
 
-fn attitudes(subject: &Subject, top: &FreeTop, h: f64, bounds: &[(&str, f64, &str)]) -> Result<Findings, Error> {
+fn attitudes(subject: Subject, top: &FreeTop, h: f64, bounds: &[(&str, f64, &str)]) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     for &(integrator, tolerance, because) in bounds {
         let error = worst_attitude(subject, top, integrator, h)?;
@@ -133,10 +133,11 @@ fn one_step_bound(
     let n = top.rows.last().map_or(0.0, |row| (row.0 / h).round());
     for (integrator, step) in ONE_STEP {
         let tolerance = 2.0 * n * step + rounding;
-        let mut because = format!("{n} steps of at most {step:.0e} rad each at h|ω| ≤ 0.1, doubled");
-        if rounding > 0.0 {
-            because += &format!(", and roundings that the instability raises to {rounding:.0e}");
-        }
+        let more = match rounding {
+            0.0 => String::new(),
+            _ => format!(", and roundings that the instability raises to {rounding:.0e}"),
+        };
+        let because = format!("{n} steps of at most {step:.0e} rad each at h|ω| ≤ 0.1, doubled{more}");
         findings.at_most(format!("largest attitude error, {integrator} [rad]"), error(integrator)?, tolerance, because);
     }
     Ok(findings)
@@ -148,7 +149,7 @@ fn rotated(drift: Drift, inertia: Vec3, w: Vec3, time: f64, n: u32) -> Quat {
     (0..n).fold(Quat::IDENTITY, |rot, _| drift.rotate(rot, l, k, time / f64::from(n)))
 }
 
-fn water(subject: &Subject) -> Result<Findings, Error> {
+fn water(subject: Subject) -> Result<Findings, Error> {
     let (top, h) = (reference::water()?, 0.0125);
     one_step_bound(&top, h, 0.0, |integrator| {
         let drift = subject.drift(integrator)?;
@@ -159,7 +160,7 @@ fn water(subject: &Subject) -> Result<Findings, Error> {
     })
 }
 
-fn exact_rows(subject: &Subject) -> Result<Findings, Error> {
+fn exact_rows(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let drift = subject.drift("exact")?;
     for top in [reference::hv()?, reference::water()?, reference::gazebo_box()?, reference::dzhanibekov()?] {
@@ -186,7 +187,7 @@ fn exact_rows(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn hard_cases(subject: &Subject) -> Result<Findings, Error> {
+fn hard_cases(subject: Subject) -> Result<Findings, Error> {
     let drift = subject.drift("exact")?;
     let mut worst = Worst::default();
     let cases = reference::hard_free_bodies()?;
@@ -203,7 +204,7 @@ fn hard_cases(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn periods(subject: &Subject) -> Result<Findings, Error> {
+fn periods(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     // 1/(1 − m), from the closed forms: what a relative change of the invariants does to the period, in periods.
     for (top, separatrix) in
@@ -227,7 +228,7 @@ fn periods(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn million(subject: &Subject) -> Result<Findings, Error> {
+fn million(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (hv, gazebo) = (reference::hv()?, reference::gazebo_box()?);
     for integrator in ["dmv", "pdmv4", "pdmv6", "pdmv8", "pdmv10"] {

@@ -70,7 +70,7 @@ struct Errors {
     ratio: f64,
 }
 
-fn fly(subject: &Subject, scenario: &Scenario, integrator: &str, dt: f64) -> Result<Errors, Error> {
+fn fly(subject: Subject, scenario: &Scenario, integrator: &str, dt: f64) -> Result<Errors, Error> {
     let mut world = subject.world(integrator)?;
     world.set_gravity(scenario.gravity)?;
     let shape = Shape::cuboid([0.1, 0.4, 0.9]).mass(10.0);
@@ -94,7 +94,7 @@ fn fly(subject: &Subject, scenario: &Scenario, integrator: &str, dt: f64) -> Res
     Ok(e)
 }
 
-fn measure(subject: &Subject) -> Result<Findings, Error> {
+fn measure(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let mut table = Table {
         columns: vec![

@@ -33,7 +33,7 @@ pub(super) const CHECKS: &[Check] = &[
 ];
 
 /// Brüls' top at its start, with so many pins in its fixed point.
-fn pinned_top(subject: &Subject, top: &HeavyTop, integrator: &str, pins: usize) -> Result<World, Error> {
+fn pinned_top(subject: Subject, top: &HeavyTop, integrator: &str, pins: usize) -> Result<World, Error> {
     let mut world = subject.world(integrator)?;
     world.set_gravity([0.0, 0.0, -top.gravity])?;
     let c = top.center;
@@ -53,7 +53,7 @@ fn pinned_top(subject: &Subject, top: &HeavyTop, integrator: &str, pins: usize) 
 
 /// The largest distance of the centre of mass from the reference up to a time \[m\].
 fn bruls_error(
-    subject: &Subject,
+    subject: Subject,
     top: &HeavyTop,
     integrator: &str,
     pins: usize,
@@ -70,7 +70,7 @@ fn bruls_error(
     Ok(worst)
 }
 
-fn bruls(subject: &Subject) -> Result<Findings, Error> {
+fn bruls(subject: Subject) -> Result<Findings, Error> {
     let top = reference::bruls()?;
     let mut findings = Findings::default();
     let bounds = [
@@ -114,7 +114,7 @@ fn bruls(subject: &Subject) -> Result<Findings, Error> {
 
 const TWICE: &str = "twice the error of an independent implementation of the method";
 
-fn bruls_twice(subject: &Subject) -> Result<Findings, Error> {
+fn bruls_twice(subject: Subject) -> Result<Findings, Error> {
     let top = reference::bruls()?;
     let mut findings = Findings::default();
     let end = 0.5;
@@ -149,7 +149,7 @@ fn bruls_twice(subject: &Subject) -> Result<Findings, Error> {
 }
 
 /// Lagrange's top at its start: what turns it is the torque of its weight about the fixed point.
-fn turning_top(subject: &Subject, top: &HeavyTop, integrator: &str) -> Result<World, Error> {
+fn turning_top(subject: Subject, top: &HeavyTop, integrator: &str) -> Result<World, Error> {
     let mut world = subject.world(integrator)?;
     let start = top.rows.first().map(|row| row.1).unwrap_or_default();
     let properties = MassProperties::new(top.mass, Vec3::ZERO, Mat3::diagonal(top.inertia))?;
@@ -165,7 +165,7 @@ fn turning_top(subject: &Subject, top: &HeavyTop, integrator: &str) -> Result<Wo
 
 /// The largest attitude error over all rows \[rad\].
 pub(super) fn lagrange_error(
-    subject: &Subject,
+    subject: Subject,
     top: &HeavyTop,
     integrator: &str,
     h: f64,
@@ -181,7 +181,7 @@ pub(super) fn lagrange_error(
     Ok(worst)
 }
 
-fn lagrange(subject: &Subject) -> Result<Findings, Error> {
+fn lagrange(subject: Subject) -> Result<Findings, Error> {
     let top = reference::lagrange()?;
     let mut findings = Findings::default();
     let bounds = [

@@ -65,7 +65,7 @@ fn tumbling() -> Result<Body, Error> {
     Ok(rigid(2.0, [0.3, 0.5, 0.6])?.rotation(rot).velocity([0.3, -0.2, 0.5]).angular_velocity([1.0, 2.0, -0.5]))
 }
 
-fn rigid_distances(subject: &Subject) -> Result<Findings, Error> {
+fn rigid_distances(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let mut world = subject.world("pdmv6")?;
     let id = world.add(tumbling()?.velocity([0.0; 3]))?;
@@ -97,7 +97,7 @@ fn rigid_distances(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn point_velocity(subject: &Subject) -> Result<Findings, Error> {
+fn point_velocity(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let point = Vec3::new(0.3, -0.4, 0.2);
     let mut world = subject.world("exact")?;
@@ -143,7 +143,7 @@ fn point_velocity(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn turning_frame(subject: &Subject) -> Result<Findings, Error> {
+fn turning_frame(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let turning = Vec3::new(0.2, -0.1, 0.7);
     let (x, v) = (Vec3::new(1.0, 0.5, -0.3), Vec3::new(0.4, -0.6, 0.2));
@@ -179,11 +179,11 @@ fn turning_frame(subject: &Subject) -> Result<Findings, Error> {
 }
 
 /// The torque of a force at an arm, or as slide 40 prints it.
-fn torque_of(subject: &Subject, arm: Vec3, force: Vec3) -> Vec3 {
+fn torque_of(subject: Subject, arm: Vec3, force: Vec3) -> Vec3 {
     if subject.as_on_the_slides() { force.cross(arm) } else { arm.cross(force) }
 }
 
-fn torque(subject: &Subject) -> Result<Findings, Error> {
+fn torque(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let mut world = subject.world("pdmv6")?;
     let id = world.add(rigid(2.0, [0.3, 0.4, 0.6])?)?;
@@ -228,7 +228,7 @@ fn torque(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn gyroscope(subject: &Subject) -> Result<Findings, Error> {
+fn gyroscope(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     // A symmetric top about its fixed point: i1 across, i3 along its axis; distance d, tilt θ, precession Ω. It is steady
     // if m g d = Ω (i3 ω3 − i1 Ω cos θ), with ω3 = spin + Ω cos θ the part of ω along the axis.
@@ -276,7 +276,7 @@ fn gyroscope(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn angular_momentum(subject: &Subject) -> Result<Findings, Error> {
+fn angular_momentum(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let particles: Vec<Particle> = grid(Vec3::new(0.4, 0.7, 1.0), 4)
         .iter()
@@ -337,7 +337,7 @@ fn angular_momentum(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn puck(subject: &Subject) -> Result<Findings, Error> {
+fn puck(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (m, radius) = (0.16, 0.038);
     let (kick, mut worst) = (Vec3::new(0.0, 0.5, 0.0), <[Worst; 2]>::default());

@@ -43,7 +43,7 @@ pub(super) fn kepler_position(e: f64, t: f64) -> Vec3 {
 }
 
 /// A body nearest to the centre on an ellipse of a = 1 m about µ = 1 m³/s², whose period is 2π s.
-fn orbiting(subject: &Subject, integrator: &str, e: f64) -> Result<(World, BodyId), Error> {
+fn orbiting(subject: Subject, integrator: &str, e: f64) -> Result<(World, BodyId), Error> {
     let mut world = subject.world(integrator)?;
     let speed = libm::sqrt((1.0 + e) / (1.0 - e));
     let id = world.add(ball(1.0)?.position([1.0 - e, 0.0, 0.0]).velocity([0.0, speed, 0.0]))?;
@@ -57,7 +57,7 @@ fn laplace(world: &World, id: BodyId) -> Vec3 {
     v.cross(r.cross(v)) - r / r.length()
 }
 
-fn kepler(subject: &Subject) -> Result<Findings, Error> {
+fn kepler(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let e = 0.6;
     let closes = |integrator: &str, h: f64| -> Result<f64, Error> {
@@ -86,7 +86,7 @@ fn kepler(subject: &Subject) -> Result<Findings, Error> {
 }
 
 /// A hundred turns with the default integrator: what stays, and what swings.
-fn long_orbit(subject: &Subject, findings: &mut Findings, e: f64) -> Result<(), Error> {
+fn long_orbit(subject: Subject, findings: &mut Findings, e: f64) -> Result<(), Error> {
     let (mut world, id) = orbiting(subject, "pdmv6", e)?;
     let (turns, per_turn) = (100, 1000);
     let l = world.angular_momentum([0.0; 3]);
@@ -128,7 +128,7 @@ fn long_orbit(subject: &Subject, findings: &mut Findings, e: f64) -> Result<(), 
     Ok(())
 }
 
-fn two_bodies(subject: &Subject) -> Result<Findings, Error> {
+fn two_bodies(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (g, m1, m2, d) = (0.5, 3.0, 1.0, 2.0);
     let w = libm::sqrt(g * (m1 + m2) / (d * d * d));
@@ -152,7 +152,7 @@ fn two_bodies(subject: &Subject) -> Result<Findings, Error> {
 }
 
 /// Two dumbbells of 2 kg and 3 kg, 4 m apart, at the speeds of point masses in a circle.
-fn two_dumbbells(subject: &Subject) -> Result<(World, BodyId), Error> {
+fn two_dumbbells(subject: Subject) -> Result<(World, BodyId), Error> {
     let mut world = subject.world("pdmv6")?;
     let dumbbell = |heavy: f64| {
         Body::dynamic()
@@ -167,7 +167,7 @@ fn two_dumbbells(subject: &Subject) -> Result<(World, BodyId), Error> {
     Ok((world, a))
 }
 
-fn dumbbells(subject: &Subject) -> Result<Findings, Error> {
+fn dumbbells(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (mut world, a) = two_dumbbells(subject)?;
     let (p, l) = (world.momentum(), world.angular_momentum([0.0; 3]));

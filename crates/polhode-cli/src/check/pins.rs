@@ -86,7 +86,7 @@ fn time_to_zero(world: &mut World, h: f64, side: impl Fn(&World) -> f64) -> Resu
 }
 
 /// A rod of 1 m pinned at its end and held at an angle from the downward vertical, and its period at small amplitudes \[s\].
-fn rod(subject: &Subject, integrator: &str, planar: bool, angle: f64) -> Result<(World, f64), Error> {
+fn rod(subject: Subject, integrator: &str, planar: bool, angle: f64) -> Result<(World, f64), Error> {
     let (mut world, down, axis, shape) = if planar {
         (subject.planar_world(integrator)?, -Vec3::Y, Vec3::Z, Shape::rectangle([0.1, 1.0]))
     } else {
@@ -107,7 +107,7 @@ fn sideways(world: &World) -> f64 {
     world.bodies().next().map_or(f64::NAN, |b| b.center_of_mass().x)
 }
 
-fn periods(subject: &Subject) -> Result<Findings, Error> {
+fn periods(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let n = 400.0;
     for (planar, place) in [(false, "in space"), (true, "in the plane")] {
@@ -142,7 +142,7 @@ fn periods(subject: &Subject) -> Result<Findings, Error> {
 }
 
 /// A ball with the pendulum length of 1 m: I/(m d) + d = 1 with d = 0.5 m.
-fn ball_on_pin(subject: &Subject, integrator: &str, tilt: f64, w: Vec3) -> Result<World, Error> {
+fn ball_on_pin(subject: Subject, integrator: &str, tilt: f64, w: Vec3) -> Result<World, Error> {
     let (d, inertia) = (0.5, 0.25);
     let mut world = subject.world(integrator)?;
     world.set_gravity([0.0, 0.0, -G])?;
@@ -154,7 +154,7 @@ fn ball_on_pin(subject: &Subject, integrator: &str, tilt: f64, w: Vec3) -> Resul
     Ok(world)
 }
 
-fn simple_pendulum(subject: &Subject) -> Result<Findings, Error> {
+fn simple_pendulum(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let rows = reference::simple_pendulum()?;
     let error = |integrator: &str, h: f64| -> Result<f64, Error> {
@@ -183,7 +183,7 @@ fn simple_pendulum(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn conical(subject: &Subject) -> Result<Findings, Error> {
+fn conical(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (d, tilt) = (0.5, 0.7);
     let rate = libm::sqrt(G / (d * libm::cos(tilt)));
@@ -211,7 +211,7 @@ fn conical(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn energy(subject: &Subject) -> Result<Findings, Error> {
+fn energy(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (mut world, _) = rod(subject, "pdmv6", false, PI / 2.0)?;
     let start = world.energy().total();
@@ -236,7 +236,7 @@ fn energy(subject: &Subject) -> Result<Findings, Error> {
 }
 
 /// A body of no symmetry pinned at two points of the y axis, its centre level with them; its period at 90° \[s\].
-fn hinged(subject: &Subject, integrator: &str) -> Result<(World, f64), Error> {
+fn hinged(subject: Subject, integrator: &str) -> Result<(World, f64), Error> {
     let mut world = subject.world(integrator)?;
     world.set_gravity([0.0, 0.0, -G])?;
     let (m, d) = (2.0, 0.4);
@@ -249,7 +249,7 @@ fn hinged(subject: &Subject, integrator: &str) -> Result<(World, f64), Error> {
     Ok((world, period))
 }
 
-fn hinge(subject: &Subject) -> Result<Findings, Error> {
+fn hinge(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     for (integrator, order, n) in [("pdmv6", 2, 200.0), ("suzuki4:pdmv6", 4, 100.0), ("kahan-li6:pdmv10", 6, 40.0)] {
         let (_, period) = hinged(subject, integrator)?;
@@ -272,7 +272,7 @@ fn hinge(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn reaction(subject: &Subject) -> Result<Findings, Error> {
+fn reaction(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (m, weight) = (3.0, Vec3::new(0.0, 0.0, -3.0 * G));
     for pins in [1, 2] {

@@ -93,7 +93,7 @@ pub(crate) fn draw(out: &mut dyn Write, table: &Table) -> io::Result<()> {
         let mut text = String::new();
         for (i, (cell, &width)) in cells.zip(&widths).enumerate() {
             let gap = " ".repeat(width - count(cell));
-            text += &if i == 0 { format!("  {cell}{gap}") } else { format!("  {gap}{cell}") };
+            text.extend(if i == 0 { ["  ", cell, &gap] } else { ["  ", &gap, cell] });
         }
         text.trim_end().to_string()
     };

@@ -70,7 +70,7 @@ pub struct Check {
     /// What must hold, in a sentence.
     pub law: &'static str,
     /// Measures it.
-    pub measure: fn(&Subject) -> Result<Findings, Error>,
+    pub measure: fn(Subject) -> Result<Findings, Error>,
 }
 
 /// What is put to the test: the engine as it is, or, for a negative control, with one integrator in the place of all.
@@ -86,31 +86,31 @@ impl Subject {
         Self { substitute: Some(integrator) }
     }
     /// The integrator of a name, or what stands for it.
-    pub(super) fn integrator(&self, name: &str) -> Result<Integrator, Error> {
+    pub(super) fn integrator(self, name: &str) -> Result<Integrator, Error> {
         self.substitute.map_or_else(|| name.parse(), Ok)
     }
     /// The free rotation that an integrator is made of; a coupled one is stood for by exp(h ω) with ω frozen, its order 1.
-    pub(super) fn drift(&self, name: &str) -> Result<Drift, Error> {
+    pub(super) fn drift(self, name: &str) -> Result<Drift, Error> {
         Ok(match self.integrator(name)? {
             Integrator::Split { drift, .. } => drift,
             Integrator::Coupled(_) => Drift::Exponential,
         })
     }
     /// A world without gravity.
-    pub(super) fn world(&self, integrator: &str) -> Result<World, Error> {
+    pub(super) fn world(self, integrator: &str) -> Result<World, Error> {
         self.prepare(World::new(), integrator)
     }
     /// A world in the plane, without gravity.
-    pub(super) fn planar_world(&self, integrator: &str) -> Result<World, Error> {
+    pub(super) fn planar_world(self, integrator: &str) -> Result<World, Error> {
         self.prepare(World::planar(), integrator)
     }
-    fn prepare(&self, mut world: World, integrator: &str) -> Result<World, Error> {
+    fn prepare(self, mut world: World, integrator: &str) -> Result<World, Error> {
         world.set_gravity([0.0; 3])?;
         world.set_integrator(self.integrator(integrator)?)?;
         Ok(world)
     }
     /// Whether the formulas that the slides got wrong are used as printed.
-    pub(super) fn as_on_the_slides(&self) -> bool {
+    pub(super) fn as_on_the_slides(self) -> bool {
         self.substitute.is_some_and(|i| "slides".parse().is_ok_and(|slides: Integrator| i == slides))
     }
 }
@@ -227,7 +227,7 @@ impl Verdict {
 
 impl Check {
     /// Runs the check.
-    pub fn run(&self, subject: &Subject) -> Verdict {
+    pub fn run(&self, subject: Subject) -> Verdict {
         let start = Instant::now();
         let findings = (self.measure)(subject);
         Verdict { check: *self, findings, seconds: start.elapsed().as_secs_f64() }

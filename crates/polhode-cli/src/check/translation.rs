@@ -41,7 +41,7 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
-fn parabola(subject: &Subject) -> Result<Findings, Error> {
+fn parabola(subject: Subject) -> Result<Findings, Error> {
     let mut worst: [Worst; 2] = Default::default();
     let (v, g) = (Vec3::new(3.0, -2.0, 20.0), Vec3::new(0.1, 0.2, -9.81));
     for h in [1e-4, 1.0 / 240.0, 1.0 / 60.0, 0.1, 0.37, 1.0 / 3.0, 1.7, 10.0] {
@@ -81,7 +81,7 @@ fn parabola(subject: &Subject) -> Result<Findings, Error> {
 const FREQUENCY: f64 = 4.0;
 
 /// A mass of 2 kg on a spring, 1 m from where it would rest.
-fn oscillator(subject: &Subject, integrator: &str) -> Result<(World, BodyId), Error> {
+fn oscillator(subject: Subject, integrator: &str) -> Result<(World, BodyId), Error> {
     let mass = 2.0;
     let mut world = subject.world(integrator)?;
     let id = world.add(ball(mass)?.position([1.0, 0.0, 0.0]))?;
@@ -90,13 +90,13 @@ fn oscillator(subject: &Subject, integrator: &str) -> Result<(World, BodyId), Er
     Ok((world, id))
 }
 
-fn growth(subject: &Subject) -> Result<Findings, Error> {
+fn growth(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     for integrator in ["explicit-euler", "kick-explicit", "slides"] {
         let mut worst = Worst::default();
         for h in [1e-3, 1.0 / 60.0, 0.1] {
             let (mut world, _) = oscillator(subject, integrator)?;
-            let n = 1000;
+            let n: usize = 1000;
             let before = world.energy().total();
             steps(&mut world, n, h);
             let amplitude = libm::sqrt(world.energy().total() / before);
@@ -115,9 +115,9 @@ fn growth(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn invariants(subject: &Subject) -> Result<Findings, Error> {
+fn invariants(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
-    let (n, h) = (100_000, 1.0 / 60.0);
+    let (n, h): (usize, f64) = (100_000, 1.0 / 60.0);
     let (w, hw) = (FREQUENCY, h * FREQUENCY);
     for (integrator, name) in [("symplectic-euler", "symplectic Euler"), ("pdmv6", "Verlet")] {
         let (mut world, id) = oscillator(subject, integrator)?;
@@ -158,7 +158,7 @@ fn invariants(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn phase(subject: &Subject) -> Result<Findings, Error> {
+fn phase(subject: Subject) -> Result<Findings, Error> {
     let mut worst = Worst::default();
     for h in [1.0 / 60.0, 0.1, 0.3] {
         let (mut world, id) = oscillator(subject, "pdmv6")?;
@@ -180,9 +180,9 @@ fn phase(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn matrix_drift(subject: &Subject) -> Result<Findings, Error> {
+fn matrix_drift(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
-    let (n, h, w) = (600, 1.0 / 60.0, 10.0);
+    let (n, h, w): (usize, f64, f64) = (600, 1.0 / 60.0, 10.0);
     let spinning = |integrator: &str| -> Result<(World, BodyId), Error> {
         let mut world = subject.world(integrator)?;
         let id = world.add(super::scene::rigid(1.0, [0.6, 0.8, 1.0])?.angular_velocity([0.0, 0.0, w]))?;

@@ -10,7 +10,7 @@ fn of(group: Group) -> Vec<Check> {
 /// Runs a group, and fails with every figure that is beyond its bound.
 fn all_pass(group: Group) {
     let mut complaints = Vec::new();
-    for verdict in run(&of(group), &Subject::default()) {
+    for verdict in run(&of(group), Subject::default()) {
         let name = verdict.check.name;
         match &verdict.findings {
             Err(error) => complaints.push(format!("{name}: {error}")),
@@ -32,7 +32,7 @@ fn caught(integrator: &str, names: &[&str]) {
     let subject = Subject::with_integrator(integrator.parse().expect("an integrator"));
     let checks: Vec<Check> = suite().into_iter().filter(|check| names.contains(&check.name)).collect();
     assert_eq!(checks.len(), names.len(), "a name of {names:?} is of no check");
-    for verdict in run(&checks, &subject) {
+    for verdict in run(&checks, subject) {
         let name = verdict.check.name;
         let findings = verdict.findings.unwrap_or_else(|e| panic!("{name} with {integrator}: {e}"));
         assert!(findings.measured.iter().any(|m| !m.passed()), "{name} passes with {integrator}");
