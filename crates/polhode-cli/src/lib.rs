@@ -6,6 +6,8 @@
 
 pub mod bench;
 pub mod check;
+pub mod lab;
+pub mod run;
 mod progress;
 mod random;
 mod terminal;
@@ -28,8 +30,12 @@ struct Cli {
 /// The subcommands.
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Simulate a scene and write a summary, a page, a table or a recording
+    Run(run::Arguments),
     /// Verify the physics: every law and reference trajectory, with error and tolerance
     Check(check::Arguments),
+    /// See the lecture: an index of scenes, each as a page to play with
+    Lab(lab::Arguments),
     /// Measure speed on this machine
     Bench(bench::Arguments),
 }
@@ -48,6 +54,8 @@ pub enum Outcome {
 pub enum Refusal {
     /// The arguments or the input cannot be used; the text says why, and what could be used instead.
     Input(String),
+    /// A scene cannot be used; the text is a whole message of its own, with the places in the file.
+    Scene(String),
     /// The results could not be written.
     Output(std::io::Error),
 }
@@ -86,7 +94,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termina
         }
     };
     let result = match &cli.command {
+        Command::Run(arguments) => arguments.execute(terminal),
         Command::Check(arguments) => arguments.execute(terminal),
+        Command::Lab(arguments) => arguments.execute(terminal),
         Command::Bench(arguments) => arguments.execute(terminal),
     };
     match result {
@@ -94,6 +104,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termina
         Ok(Outcome::Failed) => 1,
         Err(Refusal::Input(why)) => {
             terminal.complain(&why);
+            2
+        }
+        Err(Refusal::Scene(message)) => {
+            // Where even this cannot be written, nobody is there to be told.
+            let _ = writeln!(terminal.err, "{message}");
             2
         }
         Err(Refusal::Output(error)) => {

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The response of the point i to an impulse at the point j of the same body is the 3×3 block
-//! K_ij = 1/m − [r_i]× J⁻¹ [r_j]×; on the diagonal it is symmetric and positive definite.
+//! `K_ij = 1/m − [r_i]× J⁻¹ [r_j]×`; on the diagonal it is symmetric and positive definite.
 
 use crate::math::{Mat3, Quat, Vec3};
 

@@ -11,7 +11,7 @@ use crate::shape::Geometry;
 /// The lift of a fluid at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Buoyancy {
-    /// Density ρ of the fluid [kg/m³], at least 0.
+    /// Density ρ of the fluid \[kg/m³\], at least 0.
     pub density: f64,
     /// Height of the surface above the origin, against gravity \[m\].
     pub level: f64,
@@ -27,7 +27,7 @@ struct Submerged {
 }
 
 impl Field {
-    /// The lift of a fluid of `density` [kg/m³] whose surface is `level` \[m\] above the origin, against gravity.
+    /// The lift of a fluid of `density` \[kg/m³\] whose surface is `level` \[m\] above the origin, against gravity.
     ///
     /// It acts on spheres and cuboids; a body with another shape is refused when the field is added.
     pub fn buoyancy(density: f64, level: f64) -> Self {

@@ -81,7 +81,7 @@ pub struct BodyView<'a> {
     pub frame: Pose,
     /// Shapes, in the body's own frame.
     pub shapes: &'a [Shape],
-    /// Uniform gravity of the world [m/s²].
+    /// Uniform gravity of the world \[m/s²\].
     pub gravity: Vec3,
 }
 
@@ -126,15 +126,22 @@ pub enum Law {
 pub struct Field {
     /// The law.
     pub law: Law,
-    /// The bodies that feel it; `None` is every dynamic body. Springs name their bodies themselves.
+    /// The bodies that feel it, in order; `None` is every dynamic body. Springs name their bodies themselves.
     pub only: Option<Vec<BodyId>>,
 }
 
 impl Field {
     /// Restricts the law to some bodies.
     pub fn only(mut self, bodies: impl IntoIterator<Item = BodyId>) -> Self {
-        self.only = Some(bodies.into_iter().collect());
+        let mut only: Vec<BodyId> = bodies.into_iter().collect();
+        only.sort_unstable();
+        only.dedup();
+        self.only = Some(only);
         self
+    }
+    /// Whether the body feels the law. The list has to be in order, as it is in a world.
+    pub fn applies_to(&self, id: BodyId) -> bool {
+        self.only.as_ref().is_none_or(|only| only.binary_search(&id).is_ok())
     }
     /// Whether the law asks for the velocity, so that a symmetric step has to solve for it.
     pub fn depends_on_velocity(&self) -> bool {

@@ -28,15 +28,16 @@ impl ExplicitMatrix<'_> {
     pub fn step(&self, law: &mut Law<'_>, (t, h): (f64, f64), y: &mut Phase, r: &mut [Mat3], work: &mut Work) {
         let [k, ..] = &mut work.prepare(y).k;
         law(t, y, k);
-        for body in 0..y.n_bodies() {
-            let w = matrix_angular_velocity(&r[body], y.l[body], self.inertia[body]);
-            let [tangent, normal, binormal] = r[body].cols;
-            r[body] += Mat3::from_cols(w.cross(tangent) * h, w.cross(normal) * h, w.cross(binormal) * h);
-            let rotation = gram_schmidt(&r[body]);
+        for (body, rot) in y.rot.iter_mut().enumerate() {
+            let r = &mut r[body];
+            let w = matrix_angular_velocity(r, y.l[body], self.inertia[body]);
+            let [tangent, normal, binormal] = r.cols;
+            *r += Mat3::from_cols(w.cross(tangent) * h, w.cross(normal) * h, w.cross(binormal) * h);
+            let rotation = gram_schmidt(r);
             if self.gram_schmidt {
-                r[body] = rotation;
+                *r = rotation;
             }
-            y.rot[body] = Quat::from_mat3(&rotation);
+            *rot = Quat::from_mat3(&rotation);
         }
         y.add_vectors(h, &[(1.0, k)]);
     }

@@ -19,10 +19,11 @@ pub fn step(law: &mut Law<'_>, t: f64, h: f64, y: &mut Phase, work: &mut Work) {
             }
         }
         law(t + a, at, &mut k[stage]);
-        for body in 0..y.rot.len() {
+        let (before, now) = dq.split_at_mut(stage);
+        for (body, dq) in now[0].iter_mut().enumerate() {
             // The rate belongs to the quaternion before it was normalised.
-            let q = if stage > 0 { add(y.rot[body], dq[stage - 1][body], a) } else { y.rot[body] };
-            dq[stage][body] = quaternion_rate(k[stage].w[body], q);
+            let q = before.last().map_or(y.rot[body], |before| add(y.rot[body], before[body], a));
+            *dq = quaternion_rate(k[stage].w[body], q);
         }
     }
     for (body, rot) in y.rot.iter_mut().enumerate() {

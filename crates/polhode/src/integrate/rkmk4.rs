@@ -18,9 +18,10 @@ pub fn step(law: &mut Law<'_>, t: f64, h: f64, y: &mut Phase, work: &mut Work) {
             at.turn(|body| Quat::from_rotation_vector(u[stage - 1][body] * a));
         }
         law(t + a, at, &mut k[stage]);
-        for body in 0..y.rot.len() {
-            let vector = if stage > 0 { u[stage - 1][body] * a } else { Vec3::ZERO };
-            u[stage][body] = inverse_dexp(vector, k[stage].w[body]);
+        let (before, now) = u.split_at_mut(stage);
+        for (body, u) in now[0].iter_mut().enumerate() {
+            let vector = before.last().map_or(Vec3::ZERO, |before| before[body] * a);
+            *u = inverse_dexp(vector, k[stage].w[body]);
         }
     }
     let [k1, k2, k3, k4] = &*k;

@@ -2,6 +2,7 @@
 //!
 //! Every type is generic over [`Lane`]; the `f64` instance, which the bare name means, is the public type.
 
+pub mod curve;
 pub mod dense;
 mod eigen;
 pub mod elliptic;

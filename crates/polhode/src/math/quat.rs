@@ -79,6 +79,13 @@ impl<T: Lane> Quat<T> {
     pub fn inverse_rotate(self, v: Vec3<T>) -> Vec3<T> {
         self.conjugate().rotate(v)
     }
+    /// The orientation halfway to another, along the shorter way.
+    #[inline(always)]
+    pub fn halfway_to(self, other: Self) -> Self {
+        let dot = self.w * other.w + self.vector().dot(other.vector());
+        let other = Self::select(dot.lt(self.w.like(0.0)), other.scaled(self.w.like(-1.0)), other);
+        Self::from_parts(self.w + other.w, self.vector() + other.vector()).normalized()
+    }
     /// Lane-wise choice.
     #[inline(always)]
     pub fn select(mask: T::Mask, if_true: Self, if_false: Self) -> Self {

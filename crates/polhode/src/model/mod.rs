@@ -47,7 +47,7 @@ pub struct Model {
     pub pins: Vec<Pin>,
     /// Their names (n_pins).
     pub pin_ids: Vec<PinId>,
-    /// Uniform gravity, world [m/s²].
+    /// Uniform gravity, world \[m/s²\].
     pub gravity: Vec3,
     /// Whether everything stays in the plane z = 0.
     pub planar: bool,
@@ -85,7 +85,7 @@ pub struct Start {
 }
 
 impl Model {
-    /// No bodies; gravity [m/s²].
+    /// No bodies; gravity \[m/s²\].
     pub fn new(gravity: Vec3, planar: bool) -> Self {
         Self {
             slots: Slots::default(),
@@ -203,8 +203,11 @@ impl Model {
     ///
     /// # Errors
     /// The parameter that is out of range, a body that does not exist, or a shape that the law does not know.
-    pub fn add_field(&mut self, field: Field) -> Result<(), Error> {
+    pub fn add_field(&mut self, mut field: Field) -> Result<(), Error> {
         field.validate()?;
+        if let Some(only) = &mut field.only {
+            only.sort_unstable();
+        }
         let known = |name: &str, id: BodyId| match self.slots.slot(id) {
             Some(slot) => Ok(slot),
             None => Err(Error::new(name, "names a body that is not in the world")),

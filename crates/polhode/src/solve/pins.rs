@@ -15,30 +15,65 @@ use crate::model::Pin;
 /// Room for one body's rows. Scratch: nothing in it outlives a call.
 #[derive(Clone, Debug, Default)]
 pub struct Rows {
+    system: System,
+    /// Arms at the start of the half, world \[m\] (n).
+    arms: Vec<Vec3>,
+}
+
+/// The linear system of n points of one body, three rows each.
+#[derive(Clone, Debug, Default)]
+pub struct System {
     /// The matrix, 3n × 3n by rows.
     a: Vec<f64>,
     /// Right-hand side, then solution (3n).
     b: Vec<f64>,
     /// Column order of the elimination (3n).
     order: Vec<usize>,
-    /// Arms at the start of the half, world \[m\] (n).
-    arms: Vec<Vec3>,
 }
 
 impl Rows {
     /// Room for `n` pins on one body, so that a step allocates nothing.
     pub fn reserve(&mut self, n: usize) {
-        self.a.resize((9 * n * n).max(self.a.len()), f64::NAN);
-        self.b.resize((3 * n).max(self.b.len()), f64::NAN);
-        self.order.resize((3 * n).max(self.order.len()), usize::MAX);
+        self.system.reserve(n);
         self.arms.resize(n.max(self.arms.len()), Vec3::splat(f64::NAN));
     }
     /// Overwrites everything with what no computation survives.
     pub fn poison(&mut self) {
-        self.a.fill(f64::NAN);
-        self.b.fill(f64::NAN);
-        self.order.fill(usize::MAX);
+        self.system.a.fill(f64::NAN);
+        self.system.b.fill(f64::NAN);
+        self.system.order.fill(usize::MAX);
         self.arms.fill(Vec3::splat(f64::NAN));
+    }
+}
+
+impl System {
+    /// Room for `n` points.
+    pub fn reserve(&mut self, n: usize) {
+        self.a.resize((9 * n * n).max(self.a.len()), f64::NAN);
+        self.b.resize((3 * n).max(self.b.len()), f64::NAN);
+        self.order.resize((3 * n).max(self.order.len()), usize::MAX);
+    }
+    /// The impulses P with Σ_j `block(i, j)` P_j = `right(i)`; where rows are redundant, one choice of several.
+    pub fn solve(
+        &mut self,
+        n: usize,
+        right: impl Fn(usize) -> Vec3,
+        block: impl Fn(usize, usize) -> Mat3,
+    ) -> impl Iterator<Item = Vec3> {
+        for i in 0..n {
+            self.b[3 * i..3 * i + 3].copy_from_slice(&right(i).to_array());
+            for j in 0..n {
+                let k = block(i, j);
+                for r in 0..3 {
+                    for c in 0..3 {
+                        self.a[(3 * i + r) * 3 * n + 3 * j + c] = k.at(r, c);
+                    }
+                }
+            }
+        }
+        let b = &mut self.b[..3 * n];
+        dense::solve_rank_revealing(&mut self.a[..9 * n * n], b, &mut self.order[..3 * n], RANK_TOLERANCE);
+        b.chunks_exact(3).map(|p| Vec3::new(p[0], p[1], p[2]))
     }
 }
 
@@ -87,7 +122,7 @@ impl Residual {
 const MAX_NEWTON_STEPS: u32 = 24;
 
 /// A pivot this much smaller than the largest is a redundant row: rounding leaves 1e-16, honest geometry more than 1e-9.
-pub const RANK_TOLERANCE: f64 = 1e-10;
+const RANK_TOLERANCE: f64 = 1e-10;
 
 impl Pinned<'_> {
     /// An impulse P at an arm: p += P, l += r × P.
@@ -107,23 +142,18 @@ impl Pinned<'_> {
         rows: &mut Rows,
     ) -> Residual {
         let n = impulse.len();
+        let Rows { system, arms } = rows;
         let (x, rot) = (*self.x, *self.rot);
         for (i, &impulse) in impulse.iter().enumerate() {
-            let arm = rot.rotate(points(i).point);
-            rows.arms[i] = arm;
-            self.apply(impulse, arm);
+            arms[i] = rot.rotate(points(i).point);
+            self.apply(impulse, arms[i]);
         }
         let mut residual = Residual { gap: f64::INFINITY, iterations: 0 };
         loop {
             let x1 = x + *self.p * (h * self.inv_mass);
             let rot1 = drift(rot, *self.l);
-            let mut worst = 0.0f64;
-            for i in 0..n {
-                let point = points(i);
-                let g = pin::gap(x1, rot1.rotate(point.point), point.at);
-                worst = worst.max(g.max_abs());
-                rows.b[3 * i..3 * i + 3].copy_from_slice(&g.to_array());
-            }
+            let gap = |i: usize| pin::gap(x1, rot1.rotate(points(i).point), points(i).at);
+            let worst = (0..n).map(|i| gap(i).max_abs()).fold(0.0, f64::max);
             // Newton ends where rounding stops it: the gap no longer shrinks.
             let stuck = worst.is_nan() || worst >= 0.75 * residual.gap;
             (*self.x, *self.rot) = (x1, rot1);
@@ -132,22 +162,30 @@ impl Pinned<'_> {
                 return residual;
             }
             residual.iterations += 1;
-            // The turn answers an impulse over the whole step: its inertia is that of the middle.
-            let middle = if rot.w * rot1.w + rot.vector().dot(rot1.vector()) < 0.0 {
-                Quat::from_parts(rot.w - rot1.w, rot.vector() - rot1.vector())
-            } else {
-                Quat::from_parts(rot.w + rot1.w, rot.vector() + rot1.vector())
-            };
-            let inv_inertia_w = pin::world_inverse_inertia(middle.normalized(), self.inv_inertia);
-            let (inv_mass, inv_inertia_w) = (h * self.inv_mass, inv_inertia_w.scaled(h));
-            rows.fill(n, |i, j, arms| pin::response(inv_mass, inv_inertia_w, rot1.rotate(points(i).point), arms[j]));
-            rows.solve(n);
-            for (i, impulse) in impulse.iter_mut().enumerate() {
-                let step = -rows.solution(i);
-                *impulse += step;
-                self.apply(step, rows.arms[i]);
+            let (inv_mass, turn) = (h * self.inv_mass, self.turn_response(rot.halfway_to(rot1), h));
+            let block = |i: usize, j: usize| pin::response(inv_mass, turn, rot1.rotate(points(i).point), arms[j]);
+            for (i, step) in system.solve(n, |i| -gap(i), block).enumerate() {
+                impulse[i] += step;
+                self.apply(step, arms[i]);
             }
         }
+    }
+
+    /// The turn over a step h per angular impulse at its start; `middle` is the orientation halfway.
+    ///
+    /// From ω = J⁻¹ L the variation of ω is J⁻¹ δL + δθ × ω − J⁻¹ (δθ × L), because a body that is turned also turns its
+    /// inertia; and a turn is carried along, dδθ/dt = δω + ω × δθ. So
+    ///
+    /// ```text
+    /// dδθ/dt = A δθ + J⁻¹ δL,   A = J⁻¹ [L]×
+    /// δθ = h (1 + hA/2 + h²A²/6 + …) J⁻¹ δL
+    /// ```
+    ///
+    /// Without A each Newton step would gain a factor h|ω| only.
+    fn turn_response(&self, middle: Quat, h: f64) -> Mat3 {
+        let inverse = pin::world_inverse_inertia(middle, self.inv_inertia);
+        let a = (inverse * Mat3::cross(*self.l)).scaled(h);
+        (Mat3::IDENTITY + a.scaled(0.5) + (a * a).scaled(1.0 / 6.0)) * inverse.scaled(h)
     }
 
     /// The first half of a body with one pin: drifts about it over `h`. `rotate` is the free rotation (orientation,
@@ -178,8 +216,9 @@ impl Pinned<'_> {
     /// The second half: finds and applies the impulses with which the points are at rest, and writes them to `impulse`.
     pub fn close_velocities(&mut self, points: impl Fn(usize) -> Point, impulse: &mut [Vec3], rows: &mut Rows) {
         let n = impulse.len();
+        let Rows { system, arms } = rows;
         impulse.fill(Vec3::ZERO);
-        for (i, arm) in rows.arms.iter_mut().enumerate().take(n) {
+        for (i, arm) in arms.iter_mut().enumerate().take(n) {
             *arm = self.rot.rotate(points(i).point);
         }
         let inv_inertia_w = pin::world_inverse_inertia(*self.rot, self.inv_inertia);
@@ -187,44 +226,12 @@ impl Pinned<'_> {
         for _ in 0..2 {
             let v = *self.p * self.inv_mass;
             let w = self.rot.rotate(self.rot.inverse_rotate(*self.l).scale(self.inv_inertia));
-            for i in 0..n {
-                let velocity = v + w.cross(rows.arms[i]);
-                rows.b[3 * i..3 * i + 3].copy_from_slice(&velocity.to_array());
-            }
-            rows.fill(n, |i, j, arms| pin::response(self.inv_mass, inv_inertia_w, arms[i], arms[j]));
-            rows.solve(n);
-            for (i, impulse) in impulse.iter_mut().enumerate() {
-                let step = -rows.solution(i);
-                *impulse += step;
-                self.apply(step, rows.arms[i]);
+            let inv_mass = self.inv_mass;
+            let block = |i: usize, j: usize| pin::response(inv_mass, inv_inertia_w, arms[i], arms[j]);
+            for (i, step) in system.solve(n, |i| -(v + w.cross(arms[i])), block).enumerate() {
+                impulse[i] += step;
+                self.apply(step, arms[i]);
             }
         }
-    }
-}
-
-impl Rows {
-    /// Writes the blocks K_ij; `block` is given i, j and the arms.
-    fn fill(&mut self, n: usize, block: impl Fn(usize, usize, &[Vec3]) -> Mat3) {
-        for i in 0..n {
-            for j in 0..n {
-                let k = block(i, j, &self.arms);
-                for r in 0..3 {
-                    for c in 0..3 {
-                        self.a[(3 * i + r) * 3 * n + 3 * j + c] = k.at(r, c);
-                    }
-                }
-            }
-        }
-    }
-    fn solve(&mut self, n: usize) {
-        dense::solve_rank_revealing(
-            &mut self.a[..9 * n * n],
-            &mut self.b[..3 * n],
-            &mut self.order[..3 * n],
-            RANK_TOLERANCE,
-        );
-    }
-    fn solution(&self, i: usize) -> Vec3 {
-        Vec3::new(self.b[3 * i], self.b[3 * i + 1], self.b[3 * i + 2])
     }
 }

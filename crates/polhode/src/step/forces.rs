@@ -1,7 +1,7 @@
 //! Stage 1: gravity, what the user applies, and the fields, summed into one wrench a body.
 
 use super::scratch::Scratch;
-use crate::field::{Field, Law, MutualGravity, Wrench};
+use crate::field::{Law, MutualGravity, Wrench};
 use crate::integrate::Phase;
 use crate::math::Vec3;
 use crate::model::Model;
@@ -58,7 +58,7 @@ pub(super) fn forces(
             sum += Wrench { force: inputs.force[slot], torque: inputs.torque[slot] };
             let body = view(model, bodies, time, slot);
             for field in &model.fields {
-                if !applies(field, body.id) {
+                if !field.applies_to(body.id) {
                     continue;
                 }
                 sum += match &field.law {
@@ -76,10 +76,6 @@ pub(super) fn forces(
     });
     springs(model, bodies, time, scratch);
     quarantine(n, scratch);
-}
-
-fn applies(field: &Field, id: BodyId) -> bool {
-    field.only.as_ref().is_none_or(|only| only.contains(&id))
 }
 
 /// Laws between two bodies, in the order in which they were added; what acts on the world or on a body that forces do not

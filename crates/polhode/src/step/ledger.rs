@@ -51,7 +51,7 @@ fn fields_potential(model: &Model, state: &State) -> f64 {
     let mut sum = 0.0;
     for field in &model.fields {
         let each = |potential: &dyn Fn(usize) -> f64| -> f64 {
-            let felt = |slot: &usize| field.only.as_ref().is_none_or(|o| o.contains(&model.slots.ids()[*slot]));
+            let felt = |slot: &usize| field.applies_to(model.slots.ids()[*slot]);
             (0..model.n_dynamic()).filter(felt).map(potential).sum()
         };
         sum += match &field.law {

@@ -184,11 +184,11 @@ impl World {
     pub fn clear_fields(&mut self) {
         self.model.fields.clear();
     }
-    /// Uniform gravity [m/s²].
+    /// Uniform gravity \[m/s²\].
     pub fn gravity(&self) -> Vec3 {
         self.model.gravity
     }
-    /// Sets the uniform gravity [m/s²].
+    /// Sets the uniform gravity \[m/s²\].
     ///
     /// # Errors
     /// If it is not finite, or leaves the plane of a planar world.

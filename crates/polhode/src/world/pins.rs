@@ -3,8 +3,9 @@
 use super::World;
 use crate::Error;
 use crate::constraint::pin::{response, world_inverse_inertia};
-use crate::math::{Pose, Vec3, dense};
+use crate::math::{Pose, Vec3};
 use crate::model::{Pin, PinId};
+use crate::solve::pins::System;
 use crate::step;
 use crate::store::BodyId;
 
@@ -102,27 +103,13 @@ pub(super) fn acceleration(world: &World, slot: usize) -> (Vec3, Vec3) {
     let mut a = wrench.force * model.inv_mass[slot];
     let mut alpha = inv_inertia_w * (wrench.torque - w.cross(l));
     let pins = &model.pins[model.pins_of(body.id())];
-    let n = 3 * pins.len();
-    if n == 0 {
-        return (a, alpha);
-    }
     let arms: Vec<Vec3> = pins.iter().map(|p| rot.rotate(p.point)).collect();
-    let (mut k, mut b, mut order) = (vec![0.0; n * n], vec![0.0; n], vec![0; n]);
-    for (i, &arm) in arms.iter().enumerate() {
-        let free = a + alpha.cross(arm) + w.cross(w.cross(arm));
-        b[3 * i..3 * i + 3].copy_from_slice(&(-free).to_array());
-        for (j, &arm_j) in arms.iter().enumerate() {
-            let block = response(model.inv_mass[slot], inv_inertia_w, arm, arm_j);
-            for r in 0..3 {
-                for c in 0..3 {
-                    k[(3 * i + r) * n + 3 * j + c] = block.at(r, c);
-                }
-            }
-        }
-    }
-    dense::solve_rank_revealing(&mut k, &mut b, &mut order, crate::solve::pins::RANK_TOLERANCE);
-    for (force, arm) in b.chunks_exact(3).zip(&arms) {
-        let force = Vec3::new(force[0], force[1], force[2]);
+    let mut system = System::default();
+    system.reserve(pins.len());
+    let free = |i: usize| a + alpha.cross(arms[i]) + w.cross(w.cross(arms[i]));
+    let block = |i: usize, j: usize| response(model.inv_mass[slot], inv_inertia_w, arms[i], arms[j]);
+    let reactions: Vec<Vec3> = system.solve(pins.len(), |i| -free(i), block).collect();
+    for (&force, arm) in reactions.iter().zip(&arms) {
         a += force * model.inv_mass[slot];
         alpha += inv_inertia_w * arm.cross(force);
     }

@@ -29,6 +29,11 @@ pub(super) fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().expect("an array").iter().map(|v| v.as_f64().expect("a number")).collect()
 }
 
+/// Component by component: J0⁻¹ y.
+pub(super) fn over(y: Vec3, inertia: Vec3) -> Vec3 {
+    Vec3::new(y.x / inertia.x, y.y / inertia.y, y.z / inertia.z)
+}
+
 pub(super) fn vec3(v: &[f64]) -> Vec3 {
     Vec3::new(v[0], v[1], v[2])
 }
@@ -50,6 +55,14 @@ pub(super) fn hv() -> FreeTop {
     free_top("free_top_HV_060810", include_str!("../../../../polhode-cli/reference/free_top_HV_060810.json"))
 }
 
+/// A water molecule: strongly asymmetric.
+pub(super) fn water() -> FreeTop {
+    free_top(
+        "free_top_water_0345_0653_1",
+        include_str!("../../../../polhode-cli/reference/free_top_water_0345_0653_1.json"),
+    )
+}
+
 /// All four free tops.
 pub(super) fn free_tops() -> [FreeTop; 4] {
     [
@@ -58,10 +71,7 @@ pub(super) fn free_tops() -> [FreeTop; 4] {
             "free_top_dzhanibekov_123",
             include_str!("../../../../polhode-cli/reference/free_top_dzhanibekov_123.json"),
         ),
-        free_top(
-            "free_top_water_0345_0653_1",
-            include_str!("../../../../polhode-cli/reference/free_top_water_0345_0653_1.json"),
-        ),
+        water(),
         free_top(
             "free_box_gazebo_complex",
             include_str!("../../../../polhode-cli/reference/free_box_gazebo_complex.json"),
