@@ -1,6 +1,6 @@
 //! What bodies that push each other keep between them.
 
-use super::scene::{rigid, same_bits};
+use super::scene::{Greatest, rigid, same_bits};
 use super::suite::{Check, Findings, Group, Subject};
 use crate::random::Random;
 use polhode::field::{Anchor, Field, Law, MutualGravity};
@@ -55,14 +55,14 @@ fn momentum(subject: Subject) -> Result<Findings, Error> {
     let n = 10_000;
     for _ in 0..n {
         world.step(0.005);
-        dp = dp.max((world.momentum() - p).length());
-        size_p = size_p.max(world.bodies().map(|b| b.momentum().length()).sum());
+        dp = dp.greatest((world.momentum() - p).length());
+        size_p = size_p.greatest(world.bodies().map(|b| b.momentum().length()).sum());
         for (i, &point) in points.iter().enumerate() {
-            dl[i] = dl[i].max((world.angular_momentum(point) - l[i]).length());
+            dl[i] = dl[i].greatest((world.angular_momentum(point) - l[i]).length());
             let sizes = world
                 .bodies()
                 .map(|b| (b.center_of_mass() - point).length() * b.momentum().length() + b.angular_momentum().length());
-            size_l[i] = size_l[i].max(sizes.sum());
+            size_l[i] = size_l[i].greatest(sizes.sum());
         }
     }
     // A kick rounds p and l by half an ε each, and what it adds by a few ε of that.

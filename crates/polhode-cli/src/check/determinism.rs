@@ -1,6 +1,6 @@
 //! The same bits again: in another run, with other threads and lanes, after poison; and the way back in time.
 
-use super::scene::{ball, rigid, steps};
+use super::scene::{Greatest, ball, rigid, steps};
 use super::suite::{Check, Findings, Group, Subject};
 use crate::random::Random;
 use polhode::field::{Anchor, Field, Wrench};
@@ -237,9 +237,9 @@ fn reversal(subject: Subject) -> Result<Findings, Error> {
         let mut error: f64 = 0.0;
         for slot in 0..world.len() {
             for (a, b) in [(&now.x, &start.x), (&now.p, &start.p), (&now.l, &start.l)] {
-                error = error.max((a[slot] - b[slot]).length());
+                error = error.greatest((a[slot] - b[slot]).length());
             }
-            error = error.max(now.rot[slot].angle_to(start.rot[slot]));
+            error = error.greatest(now.rot[slot].angle_to(start.rot[slot]));
         }
         // Numbers of some 4 at most; what a rounding does to a rate grows over the 10 rad of the fastest of them.
         let tolerance = 4.0 * libm::sqrt(2.0 * n as f64 * stages) * f64::EPSILON * 4.0 * 10.0;

@@ -1,6 +1,6 @@
 //! Motion under each law of force, against its closed form.
 
-use super::scene::{ball, rigid, steps};
+use super::scene::{Greatest, ball, rigid, steps};
 use super::slope;
 use super::suite::{Check, Findings, Group, Subject};
 use polhode::field::{Anchor, Field, Wrench};
@@ -88,7 +88,7 @@ impl Motion<'_> {
         let mut worst: f64 = 0.0;
         for step in 1..=n {
             world.step(h);
-            worst = worst.max((self.error)(&world, id, h * step as f64));
+            worst = worst.greatest((self.error)(&world, id, h * step as f64));
         }
         Ok(worst)
     }
@@ -131,7 +131,7 @@ fn linear_drag(subject: Subject) -> Result<Findings, Error> {
         let v = terminal + (Vec3::new(4.0, 0.0, 3.0) - terminal) * decay;
         let w = Vec3::new(0.0, 2.0, 0.0) * libm::exp(-0.3 * t / 0.5);
         let body = world.body(id);
-        (body.velocity() - v).length().max((body.angular_velocity() - w).length())
+        (body.velocity() - v).length().greatest((body.angular_velocity() - w).length())
     };
     let motion = Motion { what: "v and ω", end: 2.0, scene: &scene, error: &error };
     motion.orders(&mut findings, 0.1, DISSIPATIVE)?;
@@ -169,7 +169,7 @@ fn quadratic_drag(subject: Subject) -> Result<Findings, Error> {
         let body = world.body(id);
         let z = -terminal * terminal / G * libm::log(libm::cosh(G * t / terminal));
         let v = -terminal * libm::tanh(G * t / terminal);
-        (body.velocity().z - v).abs().max((body.center_of_mass().z - z).abs())
+        (body.velocity().z - v).abs().greatest((body.center_of_mass().z - z).abs())
     };
     let motion = Motion { what: "v and z", end: 1.0, scene: &scene, error: &error };
     motion.orders(&mut findings, 0.05, DISSIPATIVE)?;

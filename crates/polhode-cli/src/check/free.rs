@@ -1,7 +1,7 @@
 //! Bodies that nothing pushes: attitude, angular momentum, energy.
 
 use super::reference::{self, FreeTop};
-use super::scene::{rigid, same_bits, steps, visit};
+use super::scene::{Greatest, rigid, same_bits, steps, visit};
 use super::suite::{Check, Findings, Group, Subject, Worst};
 use polhode::integrate::Drift;
 use polhode::math::{Quat, Vec3};
@@ -104,7 +104,7 @@ fn worst_attitude(subject: Subject, top: &FreeTop, integrator: &str, h: f64) -> 
     let mut world = with_top(subject, top, integrator)?;
     let mut worst: f64 = 0.0;
     visit(&mut world, h, top.rows.iter().map(|r| r.0), |row, world| {
-        worst = worst.max(attitude(world).angle_to(top.rows[row].1));
+        worst = worst.greatest(attitude(world).angle_to(top.rows[row].1));
     });
     Ok(worst)
 }
@@ -156,7 +156,7 @@ fn water(subject: Subject) -> Result<Findings, Error> {
         let error = |&(time, attitude, _): &(f64, Quat, Vec3)| {
             rotated(drift, top.inertia, top.w, time, (time / h).round() as u32).angle_to(attitude)
         };
-        Ok(top.rows.iter().map(error).fold(0.0, f64::max))
+        Ok(top.rows.iter().map(error).fold(0.0, f64::greatest))
     })
 }
 
@@ -243,8 +243,10 @@ fn million(subject: Subject) -> Result<Findings, Error> {
             changed += world.state().bodies.l.iter().zip(&start).filter(|&(&a, &b)| !same_bits(a, b)).count();
             // Every hundredth step is enough for an error that grows slowly.
             if step % 100 == 99 {
-                energy =
-                    energies(&world).iter().zip(&before).fold(energy, |worst, (e, e0)| worst.max((e / e0 - 1.0).abs()));
+                energy = energies(&world)
+                    .iter()
+                    .zip(&before)
+                    .fold(energy, |worst, (e, e0)| worst.greatest((e / e0 - 1.0).abs()));
             }
         }
         findings.none(

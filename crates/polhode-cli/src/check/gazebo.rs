@@ -2,7 +2,7 @@
 
 use super::reference;
 use super::report::figure;
-use super::scene::visit;
+use super::scene::{Greatest, visit};
 use super::suite::{Check, Findings, Group, Subject, Table, Worst};
 use polhode::math::{Quat, Vec3};
 use polhode::model::Body;
@@ -82,11 +82,11 @@ fn fly(subject: Subject, scenario: &Scenario, integrator: &str, dt: f64) -> Resu
         let (v, t) = (scenario.v, time);
         let body = world.body(id);
         let x = v * t + scenario.gravity * (0.5 * t * t);
-        e.position = e.position.max((body.center_of_mass() - x).length());
-        e.velocity = e.velocity.max((body.velocity() - (v + scenario.gravity * t)).length());
-        e.angle = e.angle.max(body.rotation().angle_to(attitude));
-        e.l = e.l.max((body.angular_momentum() - l).length() / l.length());
-        e.energy = e.energy.max((world.energy().total() / energy - 1.0).abs());
+        e.position = e.position.greatest((body.center_of_mass() - x).length());
+        e.velocity = e.velocity.greatest((body.velocity() - (v + scenario.gravity * t)).length());
+        e.angle = e.angle.greatest(body.rotation().angle_to(attitude));
+        e.l = e.l.greatest((body.angular_momentum() - l).length() / l.length());
+        e.energy = e.energy.greatest((world.energy().total() / energy - 1.0).abs());
     };
     let start = Instant::now();
     visit(&mut world, dt, scenario.attitudes.iter().map(|a| a.0), see);
@@ -136,7 +136,7 @@ fn bound(worst: &mut [Worst; 5], scenario: &Scenario, integrator: &str, dt: f64,
     let [position, velocity, angle, momentum, energy] = worst;
     let n = 10.0 / dt;
     let g = scenario.gravity.length();
-    let v = (scenario.v + scenario.gravity * 10.0).length().max(scenario.v.length());
+    let v = (scenario.v + scenario.gravity * 10.0).length().greatest(scenario.v.length());
     let roundings = (0.5 * n + 4.0) * f64::EPSILON;
     let (dv, dx) = (roundings * v, roundings * 2.0 * (10.0 * v));
     position.see(

@@ -1,12 +1,13 @@
 //! Statements of the lecture, in their right form: the number in a name is that of the slide.
 
 use super::mass::grid;
-use super::scene::{ball, rigid, steps};
+use super::scene::{Greatest, ball, rigid, steps};
 use super::slope;
 use super::suite::{Check, Findings, Group, Subject, Worst};
 use core::f64::consts::TAU;
 use polhode::field::{Field, Wrench};
 use polhode::mass::{MassProperties, Particle};
+use polhode::math::curve::Frenet;
 use polhode::math::{Mat3, Quat, Vec3};
 use polhode::model::Body;
 use polhode::shape::Shape;
@@ -19,6 +20,13 @@ pub(super) const CHECKS: &[Check] = &[
         name: "lecture-04-rigid",
         law: "The points of a rigid body keep their distances, over a million steps (slide 4).",
         measure: rigid_distances,
+    },
+    Check {
+        group: Group::Lecture,
+        name: "lecture-16-path",
+        law: "On a helix of radius a and rise b a radian k = a/(a² + b²) and τ = b/(a² + b²); at rest and on a line there is \
+              no frame (slides 10, 11, 16, 18).",
+        measure: path,
     },
     Check {
         group: Group::Lecture,
@@ -85,15 +93,59 @@ fn rigid_distances(subject: Subject) -> Result<Findings, Error> {
         world.step(0.01);
         if step % 100 == 99 {
             let now = distances(&world);
-            worst = now
-                .iter()
-                .zip(&start)
-                .map(|(a, b)| if a.is_nan() { f64::INFINITY } else { (a - b).abs() })
-                .fold(worst, f64::max);
+            worst = now.iter().zip(&start).map(|(a, b)| (a - b).abs()).fold(worst, f64::greatest);
         }
     }
     let because = "the bar; a unit quaternion, renewed in each step, cannot stretch what it turns by more than some ε";
     findings.at_most("largest change of a distance in 1e6 steps [m]", worst, 1e-13, because);
+    Ok(findings)
+}
+
+fn path(subject: Subject) -> Result<Findings, Error> {
+    let mut findings = Findings::default();
+    let (radius, rise, turning) = (0.5, 0.3, Vec3::new(0.0, 0.0, 2.0));
+    let mut world = subject.world("rk4")?;
+    // F = m Ω × v turns the velocity and keeps its length, as a magnet does to a charge.
+    world.add_field(Field::custom(move |body| Wrench {
+        force: turning.cross(body.v) * body.mass,
+        torque: Vec3::ZERO,
+    }))?;
+    let body = tumbling()?.position([radius, 0.0, 0.0]);
+    let id = world.add(body.velocity(Vec3::new(0.0, radius, rise) * turning.z))?;
+    let (n, h) = (10_000, 1e-3);
+    let (mut bend, mut screw, mut square, mut apart): (f64, f64, f64, f64) = (0.0, 0.0, 0.0, 0.0);
+    let size = radius * radius + rise * rise;
+    let nothing = (f64::NAN, f64::NAN, [Vec3::splat(f64::NAN); 3]);
+    for _ in 0..n {
+        world.step(h);
+        let body = world.body(id);
+        let a = body.acceleration().0;
+        let frame = Frenet::new(body.velocity(), a, turning.cross(a), 0.0);
+        let axes = [frame.tangent, frame.normal, frame.binormal];
+        let (k, torsion, [t, n, b]) = match (frame.curvature, frame.torsion, axes) {
+            (Some(k), Some(torsion), [Some(t), Some(n), Some(b)]) => (k, torsion, [t, n, b]),
+            _ => nothing,
+        };
+        bend = bend.greatest((k * size / radius - 1.0).abs());
+        screw = screw.greatest((torsion * size / rise - 1.0).abs());
+        square = square.greatest((Mat3::from_cols(t, n, b).determinant() - 1.0).abs());
+        let of_body = body.axes();
+        apart = apart.greatest(of_body.cols[0].cross(t).length());
+    }
+    // (hΩ)⁵/120 a step is 3e-16 of v.
+    let rounding = 4.0 * f64::from(n) * f64::EPSILON;
+    let because = "10 000 steps round v a few times each, and the fourth order errs by less";
+    findings.at_most("largest relative error of the curvature", bend, rounding, because);
+    findings.at_most("largest relative error of the torsion", screw, rounding, because);
+    let because = "three unit vectors of a few roundings each";
+    findings.at_most("largest difference of det [T N B] from 1", square, 16.0 * f64::EPSILON, because);
+    let because =
+        "the frame is of the path and not of the body, whose axis at some time is across T by more than half a radian";
+    findings.at_most("sin 0.5 over that of the largest angle of an axis to T", libm::sin(0.5) / apart, 1.0, because);
+    let (still, line) = (Frenet::new(Vec3::ZERO, Vec3::X, Vec3::Y, 0.0), Frenet::new(Vec3::X, Vec3::X, Vec3::Y, 0.0));
+    let there = [still.tangent, still.normal, still.binormal, line.normal, line.binormal];
+    let count = there.iter().filter(|v| v.is_some()).count();
+    findings.none("vectors where there is no frame", count, "T needs a velocity, N a curvature");
     Ok(findings)
 }
 
@@ -119,7 +171,7 @@ fn point_velocity(subject: Subject) -> Result<Findings, Error> {
         let velocity = (ahead.0 - behind.0) / (2.0 * h);
         let acceleration = (ahead.0 - at * 2.0 + behind.0) / (h * h);
         let axes = (0..3).map(|i| ((ahead.1.cols[i] - behind.1.cols[i]) / (2.0 * h) - rates[i]).length());
-        Ok([(velocity - v).length(), (acceleration - a).length(), axes.fold(0.0, f64::max)])
+        Ok([(velocity - v).length(), (acceleration - a).length(), axes.fold(0.0, f64::greatest)])
     };
     let h = 0.01;
     let (coarse, fine) = (errors(h)?, errors(0.5 * h)?);
@@ -160,7 +212,7 @@ fn turning_frame(subject: Subject) -> Result<Findings, Error> {
             world.step(h);
             let t = h * step as f64;
             let seen = Quat::from_rotation_vector(turning * -t).rotate(x + v * t);
-            worst = worst.max((world.body(id).center_of_mass() - seen).length());
+            worst = worst.greatest((world.body(id).center_of_mass() - seen).length());
         }
         Ok(worst)
     };
@@ -251,7 +303,7 @@ fn gyroscope(subject: Subject) -> Result<Findings, Error> {
         for step in 1..=n as usize {
             world.step(TAU / precession / n);
             let there = Quat::from_axis_angle(Vec3::Z, TAU * step as f64 / n).rotate(axis);
-            worst = worst.max((world.body(id).axes().cols[2] - there).length());
+            worst = worst.greatest((world.body(id).axes().cols[2] - there).length());
         }
         Ok(worst)
     };

@@ -1,5 +1,6 @@
 //! Mass, centre and inertia: particles, closed forms and meshes against each other.
 
+use super::scene::Greatest;
 use super::slope;
 use super::suite::{Check, Findings, Group, Subject, Worst};
 use crate::random::Random;
@@ -248,7 +249,7 @@ fn planar(_: Subject) -> Result<Findings, Error> {
             particles.iter().map(|p| p.mass * (p.position[0] * p.position[0] + p.position[1] * p.position[1])).sum();
         worst.see(
             format!("difference of the two forms, and of a body's own, over the larger of their terms, {n} particles"),
-            (a - b).abs().max((a - kept).abs()) / about_origin,
+            (a - b).abs().greatest((a - kept).abs()) / about_origin,
             1e-14,
             "up to 22 terms are summed, each with a few roundings of half an ε; the bar is 45 ε",
         );
@@ -284,7 +285,7 @@ fn matrix(subject: Subject) -> Result<Findings, Error> {
         );
         let mut moments = j.symmetric_eigen().values.to_array();
         moments.sort_by(f64::total_cmp);
-        let beyond = (moments[2] - moments[0] - moments[1]).max(0.0);
+        let beyond = (moments[2] - moments[0] - moments[1]).greatest(0.0);
         findings.at_most(
             format!("largest moment beyond the sum of the others, {name} [kg·m²]"),
             beyond,

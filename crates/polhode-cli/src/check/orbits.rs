@@ -1,6 +1,6 @@
 //! Gravitation: the ellipse of Kepler, and bodies that attract each other.
 
-use super::scene::{ball, steps};
+use super::scene::{Greatest, ball, steps};
 use super::slope;
 use super::suite::{Check, Findings, Group, Subject};
 use core::f64::consts::TAU;
@@ -95,10 +95,10 @@ fn long_orbit(subject: Subject, findings: &mut Findings, e: f64) -> Result<(), E
     let mut plane: f64 = 0.0;
     for step in 0..turns * per_turn {
         world.step(TAU / f64::from(per_turn));
-        l_change = l_change.max((world.angular_momentum([0.0; 3]) - l).length() / l.length());
+        l_change = l_change.greatest((world.angular_momentum([0.0; 3]) - l).length() / l.length());
         let half = &mut halves[(2 * step / (turns * per_turn)) as usize];
-        *half = half.max((world.energy().total() / energy - 1.0).abs());
-        plane = plane.max(laplace(&world, id).z.abs());
+        *half = half.greatest((world.energy().total() / energy - 1.0).abs());
+        plane = plane.greatest(laplace(&world, id).z.abs());
     }
     let n = f64::from(turns * per_turn);
     let rounding = 4.0 * libm::sqrt(n) * f64::EPSILON;
@@ -143,7 +143,7 @@ fn two_bodies(subject: Subject) -> Result<Findings, Error> {
         steps(&mut world, n as usize, TAU / w / n);
         let t = TAU / w;
         let (xa, xb) = (world.body(a).center_of_mass(), world.body(b).center_of_mass());
-        Ok((xa - drift * t + Vec3::X * r1).length().max((xb - drift * t - Vec3::X * r2).length()))
+        Ok((xa - drift * t + Vec3::X * r1).length().greatest((xb - drift * t - Vec3::X * r2).length()))
     };
     for (integrator, order, n) in [("pdmv6", 2, 200.0), ("suzuki4:pdmv6", 4, 100.0), ("kahan-li6:pdmv6", 6, 60.0)] {
         slope::expect(&mut findings, integrator, order, TAU / w / n, |h| after_a_turn(integrator, h))?;
@@ -176,14 +176,14 @@ fn dumbbells(subject: Subject) -> Result<Findings, Error> {
     let n = 20_000;
     for _ in 0..n {
         world.step(0.005);
-        dp = dp.max((world.momentum() - p).length());
-        dl = dl.max((world.angular_momentum([0.0; 3]) - l).length());
-        exchanged = exchanged.max((world.body(a).angular_momentum() - spin).length());
+        dp = dp.greatest((world.momentum() - p).length());
+        dl = dl.greatest((world.angular_momentum([0.0; 3]) - l).length());
+        exchanged = exchanged.greatest((world.body(a).angular_momentum() - spin).length());
         let moment = |b: polhode::world::BodyRef| {
             b.center_of_mass().length() * b.momentum().length() + b.angular_momentum().length()
         };
-        size_p = size_p.max(world.bodies().map(|b| b.momentum().length()).sum());
-        size_l = size_l.max(world.bodies().map(moment).sum());
+        size_p = size_p.greatest(world.bodies().map(|b| b.momentum().length()).sum());
+        size_l = size_l.greatest(world.bodies().map(moment).sum());
     }
     let rounding = 4.0 * libm::sqrt(2.0 * f64::from(n)) * f64::EPSILON;
     let because =
@@ -205,7 +205,7 @@ fn dumbbells(subject: Subject) -> Result<Findings, Error> {
         let mut worst: f64 = 0.0;
         for _ in 0..(20.0 / h).round() as usize {
             world.step(h);
-            worst = worst.max((world.energy().total() - energy).abs());
+            worst = worst.greatest((world.energy().total() - energy).abs());
         }
         Ok(worst)
     })?;

@@ -2,7 +2,7 @@
 
 use super::orbits::kepler_position;
 use super::report::figure;
-use super::scene::{ball, rigid, same_bits, steps};
+use super::scene::{Greatest, ball, rigid, same_bits, steps};
 use super::slope::{self, ROOM};
 use super::suite::{Check, Findings, Group, Subject, Table};
 use polhode::field::{Field, Wrench};
@@ -163,7 +163,7 @@ fn free_error(subject: Subject, integrator: &str, n: usize) -> Result<f64, Error
     for step in 1..=n {
         world.step(h);
         let exact = Drift::Exact.rotate(Quat::IDENTITY, INERTIA.scale(W), k, h * step as f64);
-        worst = worst.max(first(&world).0.angle_to(exact));
+        worst = worst.greatest(first(&world).0.angle_to(exact));
     }
     Ok(worst)
 }
@@ -211,7 +211,7 @@ impl HeavyPath {
         let mut worst: f64 = 0.0;
         for attitude in &self.attitudes {
             steps(&mut world, each, h);
-            worst = worst.max(first(&world).0.angle_to(*attitude));
+            worst = worst.greatest(first(&world).0.angle_to(*attitude));
         }
         Ok(worst)
     }
@@ -227,7 +227,7 @@ fn orbit_error(subject: Subject, integrator: &str, n: usize) -> Result<f64, Erro
     let mut worst: f64 = 0.0;
     for step in 1..=n {
         world.step(h);
-        worst = worst.max((first(&world).1 - kepler_position(e, h * step as f64)).length());
+        worst = worst.greatest((first(&world).1 - kepler_position(e, h * step as f64)).length());
     }
     Ok(worst)
 }
@@ -243,9 +243,9 @@ fn conserves(findings: &mut Findings, row: &mut Vec<String>, subject: Subject, s
         world.step(h);
         changes += usize::from(!same_bits(world.angular_momentum([0.0; 3]), l));
         let half = &mut halves[2 * step / n];
-        *half = half.max((world.energy().total() / start - 1.0).abs());
+        *half = half.greatest((world.energy().total() / start - 1.0).abs());
     }
-    let largest = halves[0].max(halves[1]);
+    let largest = halves[0].greatest(halves[1]);
     findings.none(format!("steps in which L changes, {name}"), changes, "every scheme has L for its state");
     match energy {
         Kept => {
@@ -256,7 +256,7 @@ fn conserves(findings: &mut Findings, row: &mut Vec<String>, subject: Subject, s
             let because = "no drift: the second half is no worse than the first, but for a tenth by chance of the phase, \
                            and for rounding, by the bar for a million steps";
             let what = format!("energy error of the second half beyond 1.1 times that of the first, {name}");
-            findings.at_most(what, (halves[1] - 1.1 * halves[0]).max(0.0), 1e-12, because);
+            findings.at_most(what, (halves[1] - 1.1 * halves[0]).greatest(0.0), 1e-12, because);
         }
         Drifts => {}
     }

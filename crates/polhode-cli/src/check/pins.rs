@@ -1,7 +1,7 @@
 //! Bodies that are held at points: pendulums, hinges, and what the pins carry.
 
 use super::reference;
-use super::scene::{rigid, steps, visit};
+use super::scene::{Greatest, rigid, steps, visit};
 use super::slope;
 use super::suite::{Check, Findings, Group, Subject, Worst};
 use core::f64::consts::{PI, TAU};
@@ -165,7 +165,7 @@ fn simple_pendulum(subject: Subject) -> Result<Findings, Error> {
                 // The point at the end of the pendulum length of 1 m, twice as far as the centre of mass.
                 let end = body.center_of_mass() * 2.0;
                 let [x, z] = rows[row].1;
-                worst = worst.max((end - Vec3::new(x, 0.0, z)).length());
+                worst = worst.greatest((end - Vec3::new(x, 0.0, z)).length());
             }
         });
         Ok(worst)
@@ -194,7 +194,7 @@ fn conical(subject: Subject) -> Result<Findings, Error> {
         for step in 1..=n as usize {
             world.step(TAU / rate / n);
             let there = Quat::from_axis_angle(Vec3::Z, TAU * step as f64 / n).rotate(start);
-            worst = world.bodies().map(|b| (b.center_of_mass() - there).length()).fold(worst, f64::max);
+            worst = world.bodies().map(|b| (b.center_of_mass() - there).length()).fold(worst, f64::greatest);
         }
         Ok(worst)
     };
@@ -220,7 +220,7 @@ fn energy(subject: Subject) -> Result<Findings, Error> {
     for step in 0..n {
         world.step(h);
         let quarter = &mut quarters[4 * step / n];
-        *quarter = quarter.max((world.energy().total() - start).abs());
+        *quarter = quarter.greatest((world.energy().total() - start).abs());
     }
     // 2 kg whose centre is 0.5 m below the pin.
     let fall = 2.0 * G * 0.5;
@@ -231,7 +231,7 @@ fn energy(subject: Subject) -> Result<Findings, Error> {
     // change of the force: m g d/I = 3g/2L for the rod.
     let because = "(hΩ)²/4 of the fall, the share that Verlet's own energy is off, with Ω² = 3g/2L";
     let what = "largest energy error in an hour at 60 Hz, over m g d";
-    findings.at_most(what, quarters[0].max(quarters[3]) / fall, 0.25 * h * h * 1.5 * G, because);
+    findings.at_most(what, quarters[0].greatest(quarters[3]) / fall, 0.25 * h * h * 1.5 * G, because);
     Ok(findings)
 }
 
@@ -262,8 +262,8 @@ fn hinge(subject: Subject) -> Result<Findings, Error> {
     let (mut world, _) = hinged(subject, "pdmv6")?;
     let (mut off, mut gap): (f64, f64) = (0.0, 0.0);
     for _ in 0..6000 {
-        gap = gap.max(world.step(1.0 / 60.0).pins.gap);
-        off = world.bodies().map(|b| (b.axes().cols[1] - Vec3::Y).length()).fold(off, f64::max);
+        gap = gap.greatest(world.step(1.0 / 60.0).pins.gap);
+        off = world.bodies().map(|b| (b.axes().cols[1] - Vec3::Y).length()).fold(off, f64::greatest);
     }
     let because = "Newton's iteration ends where rounding stops it: a few roundings of lengths below 1 m";
     findings.at_most("largest gap of the pins in 100 s at 60 Hz [m]", gap, 16.0 * f64::EPSILON, because);
@@ -291,8 +291,8 @@ fn reaction(subject: Subject) -> Result<Findings, Error> {
             world.step(h);
             let carried: Vec3 = names.iter().filter_map(|&pin| world.pin_reaction(pin)).sum();
             let change = world.body(id).momentum() - before;
-            error = error.max((carried * h - (change - weight * h)).length());
-            largest = largest.max(change.length() + before.length() + weight.length() * h);
+            error = error.greatest((carried * h - (change - weight * h)).length());
+            largest = largest.greatest(change.length() + before.length() + weight.length() * h);
         }
         let because = "half a dozen impulses are added to p and each rounds it once, some 16 roundings with their sums";
         findings.at_most(
@@ -313,7 +313,8 @@ fn reaction(subject: Subject) -> Result<Findings, Error> {
         8.0 * f64::EPSILON,
         because,
     );
-    let moved = world.bodies().map(|b| (b.center_of_mass() - Vec3::new(0.0, 0.0, -0.5)).length()).fold(0.0, f64::max);
+    let moved =
+        world.bodies().map(|b| (b.center_of_mass() - Vec3::new(0.0, 0.0, -0.5)).length()).fold(0.0, f64::greatest);
     findings.at_most("how far it moved in 100 steps [m]", moved, 0.0, "it hangs from its pin with nothing to move it");
     Ok(findings)
 }

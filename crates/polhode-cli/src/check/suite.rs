@@ -129,9 +129,9 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Whether the figure keeps to its bound; a figure that is no number does not.
+    /// Whether the figure keeps to its bound. What is no number does not, nor does anything to a bound without end.
     pub fn passed(&self) -> bool {
-        self.error <= self.tolerance
+        self.tolerance.is_finite() && self.error <= self.tolerance
     }
     /// How much of the tolerance is used up.
     pub fn share(&self) -> f64 {
@@ -253,4 +253,35 @@ pub fn suite() -> Vec<Check> {
     let mut all = modules.concat();
     all.sort_by_key(|check| Group::ALL.iter().position(|&group| group == check.group));
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::scene::Greatest;
+    use super::*;
+
+    fn figure(error: f64, tolerance: f64) -> Measured {
+        Measured { what: String::new(), error, tolerance, because: String::new() }
+    }
+
+    #[test]
+    fn what_is_no_number_passes_nowhere() {
+        assert!(figure(1.0, 1.0).passed() && figure(0.0, 0.0).passed());
+        for (error, tolerance) in [(f64::NAN, 1.0), (1.0, f64::NAN), (f64::INFINITY, f64::INFINITY), (2.0, 1.0)] {
+            assert!(!figure(error, tolerance).passed(), "{error} {tolerance}");
+        }
+        assert!(f64::NAN.greatest(1.0).is_nan() && 1.0_f64.greatest(f64::NAN).is_nan());
+        assert_eq!((2.0_f64.greatest(1.0), 1.0_f64.greatest(2.0)), (2.0, 2.0));
+    }
+
+    #[test]
+    fn the_worst_figure_is_the_one_nearest_to_its_bound() {
+        let mut worst = Worst::default();
+        for (what, error, tolerance) in [("far", 1.0, 10.0), ("near", 0.9, 1.0), ("none", 0.0, 0.0)] {
+            worst.see(what, error, tolerance, "");
+        }
+        assert_eq!(worst.0.as_ref().map(|m| m.what.as_str()), Some("near"));
+        worst.see("beyond", f64::NAN, 1.0, "").see("within", 1.0, 1.0, "");
+        assert_eq!(worst.0.map(|m| m.what), Some("beyond".to_string()));
+    }
 }

@@ -1,6 +1,6 @@
 //! The centre of mass: the parabola, and the oscillator by which schemes are told apart.
 
-use super::scene::{ball, steps};
+use super::scene::{Greatest, ball, steps};
 use super::suite::{Check, Findings, Group, Subject, Worst};
 use polhode::field::{Anchor, Field};
 use polhode::math::{Mat3, Vec3};
@@ -49,10 +49,10 @@ fn parabola(subject: Subject) -> Result<Findings, Error> {
         world.set_gravity(g)?;
         let body = ball(2.5)?.velocity(v).angular_velocity([0.3, 2.0, 0.1]);
         let id = world.add(body)?;
-        let n = (10.0_f64 / h).round().max(1.0);
+        let n = (10.0_f64 / h).round().greatest(1.0);
         steps(&mut world, n as usize, h);
         let t = n * h;
-        let (x, speed) = (v * t + g * (0.5 * t * t), (v + g * t).length().max(v.length()));
+        let (x, speed) = (v * t + g * (0.5 * t * t), (v + g * t).length().greatest(v.length()));
         // Half a rounding of x a step; half of one of v a kick, of which there are two, which lasts to the end.
         let rounding = (n + 4.0) * f64::EPSILON;
         let body = world.body(id);
@@ -60,7 +60,7 @@ fn parabola(subject: Subject) -> Result<Findings, Error> {
         position.see(
             format!("distance from the parabola after {n} steps of {h} s [m]"),
             (body.center_of_mass() - x).length(),
-            rounding * (x.length().max(v.length() * t) + t * speed),
+            rounding * (x.length().greatest(v.length() * t) + t * speed),
             "half a rounding of x in each step, two of v, and these carried on to the end",
         );
         velocity.see(
@@ -137,8 +137,8 @@ fn invariants(subject: Subject) -> Result<Findings, Error> {
         for _ in 0..n {
             world.step(h);
             let (kept, energy) = of(&world);
-            change = change.max((kept / start.0 - 1.0).abs());
-            swing = swing.max((energy / start.1 - 1.0).abs());
+            change = change.greatest((kept / start.0 - 1.0).abs());
+            swing = swing.greatest((energy / start.1 - 1.0).abs());
         }
         findings.at_most(
             format!("largest relative change of the invariant of {name} in {n} steps"),
@@ -167,7 +167,7 @@ fn phase(subject: Subject) -> Result<Findings, Error> {
         for step in 1..=n {
             world.step(h);
             let expected = libm::cos(step as f64 * theta);
-            largest = largest.max((world.body(id).center_of_mass().x - expected).abs());
+            largest = largest.greatest((world.body(id).center_of_mass().x - expected).abs());
         }
         // A rounding of x or v is a change of phase and amplitude, which stays; the angle nθ is rounded as well, and θ is
         // the worse known the smaller it is.
