@@ -74,8 +74,8 @@ fn bruls(subject: Subject) -> Result<Findings, Error> {
     let top = reference::bruls()?;
     let mut findings = Findings::default();
     let bounds = [
-        ("pdmv10", 1e-5, "the bar"),
-        ("suzuki4:pdmv10", 1e-10, "the bar"),
+        ("pdmv10", 1e-5, "twice the attitude error of an independent implementation, 4.6e-6 rad, over an arm of 1 m"),
+        ("suzuki4:pdmv10", 1e-10, "required of this benchmark: the fourth order, of which the second misses 1e4 times"),
         ("kahan-li6:pdmv10", 1.4e-12, TWICE),
         ("kahan-li8:pdmv10", 8e-12, TWICE),
     ];

@@ -251,7 +251,7 @@ fn planar(_: Subject) -> Result<Findings, Error> {
             format!("difference of the two forms, and of a body's own, over the larger of their terms, {n} particles"),
             (a - b).abs().greatest((a - kept).abs()) / about_origin,
             1e-14,
-            "up to 22 terms are summed, each with a few roundings of half an ε; the bar is 45 ε",
+            "up to 22 terms are summed, each with a few roundings of half an ε: 45 ε",
         );
     }
     let mut findings = Findings::default();

@@ -249,12 +249,12 @@ fn conserves(findings: &mut Findings, row: &mut Vec<String>, subject: Subject, s
     findings.none(format!("steps in which L changes, {name}"), changes, "every scheme has L for its state");
     match energy {
         Kept => {
-            let because = "conserved by the scheme: 10 000 steps of rounding are far below the bar for a million";
+            let because = "conserved by the scheme: 10 000 steps of rounding are far below the 1e-12 of a million";
             findings.at_most(format!("largest relative change of the energy, {name}"), largest, 1e-12, because);
         }
         Bounded => {
             let because = "no drift: the second half is no worse than the first, but for a tenth by chance of the phase, \
-                           and for rounding, by the bar for a million steps";
+                           and for 1e-12, the rounding of a million steps";
             let what = format!("energy error of the second half beyond 1.1 times that of the first, {name}");
             findings.at_most(what, (halves[1] - 1.1 * halves[0]).greatest(0.0), 1e-12, because);
         }
