@@ -1,6 +1,6 @@
 //! The `polhode` command.
 //!
-//! A subcommand is a module with its arguments and an `execute`; [`Command`] lists them. Results go to standard output,
+//! A subcommand is a module with its arguments and an `execute`; the enum `Command` lists them. Results go to standard output,
 //! progress and complaints to standard error. The exit code is 0 when all went well, 1 when a check failed and 2 for
 //! arguments or input that cannot be used.
 
@@ -9,6 +9,7 @@ pub mod check;
 pub mod lab;
 pub mod run;
 mod progress;
+mod random;
 mod terminal;
 
 pub use progress::Progress;

@@ -1,9 +1,29 @@
-//! bench
+//! `polhode bench`: speed on this machine.
+//!
+//! A figure of speed is worth something beside another one of the same run on a quiet machine, and little else.
+
+mod free;
+
+use crate::{Outcome, Refusal, Terminal};
+
+/// What to measure.
 #[derive(Debug, clap::Args)]
-/// a
-pub struct Arguments {}
+pub struct Arguments {
+    #[command(subcommand)]
+    scene: Scene,
+}
+
+/// The scenes.
+#[derive(Debug, clap::Subcommand)]
+enum Scene {
+    /// Tumbling cuboids that nothing touches, at 60 Hz, without and with gravity
+    Free(free::Arguments),
+}
+
 impl Arguments {
-    pub(crate) fn execute(&self, _: &mut crate::Terminal) -> Result<crate::Outcome, crate::Refusal> {
-        Ok(crate::Outcome::Done)
+    pub(crate) fn execute(&self, terminal: &mut Terminal) -> Result<Outcome, Refusal> {
+        match &self.scene {
+            Scene::Free(arguments) => arguments.execute(terminal),
+        }
     }
 }

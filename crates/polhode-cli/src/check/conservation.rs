@@ -1,8 +1,8 @@
 //! What bodies that push each other keep between them.
 
-use super::random::Random;
-use super::scene::{rigid, same_bits};
+use super::scene::{Greatest, rigid, same_bits};
 use super::suite::{Check, Findings, Group, Subject};
+use crate::random::Random;
 use polhode::field::{Anchor, Field, Law, MutualGravity};
 use polhode::math::Vec3;
 use polhode::store::BodyId;
@@ -26,7 +26,7 @@ pub(super) const CHECKS: &[Check] = &[
 const N_BODIES: usize = 50;
 
 /// Fifty bodies, each on a damped spring to the next, in their common gravitation.
-fn web(subject: &Subject) -> Result<(World, Vec<BodyId>), Error> {
+fn web(subject: Subject) -> Result<(World, Vec<BodyId>), Error> {
     let mut random = Random::new(1);
     let mut world = subject.world("pdmv6")?;
     let mut ids = Vec::new();
@@ -45,7 +45,7 @@ fn web(subject: &Subject) -> Result<(World, Vec<BodyId>), Error> {
     Ok((world, ids))
 }
 
-fn momentum(subject: &Subject) -> Result<Findings, Error> {
+fn momentum(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (mut world, _) = web(subject)?;
     let points = [Vec3::ZERO, Vec3::new(30.0, -20.0, 10.0)];
@@ -55,14 +55,14 @@ fn momentum(subject: &Subject) -> Result<Findings, Error> {
     let n = 10_000;
     for _ in 0..n {
         world.step(0.005);
-        dp = dp.max((world.momentum() - p).length());
-        size_p = size_p.max(world.bodies().map(|b| b.momentum().length()).sum());
+        dp = dp.greatest((world.momentum() - p).length());
+        size_p = size_p.greatest(world.bodies().map(|b| b.momentum().length()).sum());
         for (i, &point) in points.iter().enumerate() {
-            dl[i] = dl[i].max((world.angular_momentum(point) - l[i]).length());
+            dl[i] = dl[i].greatest((world.angular_momentum(point) - l[i]).length());
             let sizes = world
                 .bodies()
                 .map(|b| (b.center_of_mass() - point).length() * b.momentum().length() + b.angular_momentum().length());
-            size_l[i] = size_l[i].max(sizes.sum());
+            size_l[i] = size_l[i].greatest(sizes.sum());
         }
     }
     // A kick rounds p and l by half an ε each, and what it adds by a few ε of that.
@@ -81,7 +81,7 @@ fn momentum(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn third_law(subject: &Subject) -> Result<Findings, Error> {
+fn third_law(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let mut random = Random::new(2);
     let law = MutualGravity { constant: 0.3, softening: 0.01 };

@@ -1,6 +1,6 @@
 //! Motion under each law of force, against its closed form.
 
-use super::scene::{ball, rigid, steps};
+use super::scene::{Greatest, ball, rigid, steps};
 use super::slope;
 use super::suite::{Check, Findings, Group, Subject};
 use polhode::field::{Anchor, Field, Wrench};
@@ -66,13 +66,16 @@ const G: f64 = 9.81;
 /// Under strong drag the sixth order shows less than the seventh: what the iteration for v leaves over.
 const DISSIPATIVE: u32 = 4;
 
+/// Builds a world with an integrator, and names the body that is looked at.
+type Scene<'a> = dyn Fn(&str) -> Result<(World, BodyId), Error> + 'a;
+
 /// What a body does, in a number, and when it is asked.
 struct Motion<'a> {
     /// What the number is, with its unit.
     what: &'a str,
     end: f64,
     /// Builds the world.
-    scene: &'a dyn Fn(&str) -> Result<(World, BodyId), Error>,
+    scene: &'a Scene<'a>,
     /// The distance of what is from what must be at a time.
     error: &'a dyn Fn(&World, BodyId, f64) -> f64,
 }
@@ -85,7 +88,7 @@ impl Motion<'_> {
         let mut worst: f64 = 0.0;
         for step in 1..=n {
             world.step(h);
-            worst = worst.max((self.error)(&world, id, h * step as f64));
+            worst = worst.greatest((self.error)(&world, id, h * step as f64));
         }
         Ok(worst)
     }
@@ -112,7 +115,7 @@ impl Motion<'_> {
     }
 }
 
-fn linear_drag(subject: &Subject) -> Result<Findings, Error> {
+fn linear_drag(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (m, c, wind) = (2.0, 1.5, Vec3::new(0.7, 0.0, 0.0));
     let scene = |integrator: &str| {
@@ -128,7 +131,7 @@ fn linear_drag(subject: &Subject) -> Result<Findings, Error> {
         let v = terminal + (Vec3::new(4.0, 0.0, 3.0) - terminal) * decay;
         let w = Vec3::new(0.0, 2.0, 0.0) * libm::exp(-0.3 * t / 0.5);
         let body = world.body(id);
-        (body.velocity() - v).length().max((body.angular_velocity() - w).length())
+        (body.velocity() - v).length().greatest((body.angular_velocity() - w).length())
     };
     let motion = Motion { what: "v and ω", end: 2.0, scene: &scene, error: &error };
     motion.orders(&mut findings, 0.1, DISSIPATIVE)?;
@@ -137,12 +140,7 @@ fn linear_drag(subject: &Subject) -> Result<Findings, Error> {
 }
 
 /// At rest in the flow the forces cancel; `rate` is that of the approach \[1/s\].
-fn terminal_velocity(
-    findings: &mut Findings,
-    scene: &dyn Fn(&str) -> Result<(World, BodyId), Error>,
-    terminal: Vec3,
-    rate: f64,
-) -> Result<(), Error> {
+fn terminal_velocity(findings: &mut Findings, scene: &Scene<'_>, terminal: Vec3, rate: f64) -> Result<(), Error> {
     let (mut world, id) = scene("pdmv6")?;
     let h = 1.0 / 60.0;
     steps(&mut world, 6000, h);
@@ -156,7 +154,7 @@ fn terminal_velocity(
     Ok(())
 }
 
-fn quadratic_drag(subject: &Subject) -> Result<Findings, Error> {
+fn quadratic_drag(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (m, k) = (2.0, 0.8);
     let scene = |integrator: &str| {
@@ -171,7 +169,7 @@ fn quadratic_drag(subject: &Subject) -> Result<Findings, Error> {
         let body = world.body(id);
         let z = -terminal * terminal / G * libm::log(libm::cosh(G * t / terminal));
         let v = -terminal * libm::tanh(G * t / terminal);
-        (body.velocity().z - v).abs().max((body.center_of_mass().z - z).abs())
+        (body.velocity().z - v).abs().greatest((body.center_of_mass().z - z).abs())
     };
     let motion = Motion { what: "v and z", end: 1.0, scene: &scene, error: &error };
     motion.orders(&mut findings, 0.05, DISSIPATIVE)?;
@@ -179,7 +177,7 @@ fn quadratic_drag(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn damped_oscillator(subject: &Subject) -> Result<Findings, Error> {
+fn damped_oscillator(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (m, k, c, rest) = (2.0, 18.0, 1.2, 0.5);
     let scene = |integrator: &str| {
@@ -199,7 +197,7 @@ fn damped_oscillator(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn spring_pair(subject: &Subject) -> Result<Findings, Error> {
+fn spring_pair(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (m1, m2, k, rest) = (1.0, 3.0, 12.0, 1.0);
     let (drift, stretch) = (Vec3::new(0.3, 0.1, 0.0), 0.1);
@@ -221,7 +219,7 @@ fn spring_pair(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn torsion_pendulum(subject: &Subject) -> Result<Findings, Error> {
+fn torsion_pendulum(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (inertia, k, amplitude) = (Vec3::new(0.5, 0.8, 0.6), 2.4, 2.5);
     let scene = |integrator: &str| {
@@ -239,7 +237,7 @@ fn torsion_pendulum(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn buoyancy(subject: &Subject) -> Result<Findings, Error> {
+fn buoyancy(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (size, density, water) = (Vec3::new(1.0, 2.0, 0.4), 600.0, 1000.0);
     let draught = size.z * density / water;
@@ -273,7 +271,7 @@ fn buoyancy(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn work(subject: &Subject) -> Result<Findings, Error> {
+fn work(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (force, point) = (Vec3::new(1.0, -2.0, 0.5), Vec3::new(0.3, 0.1, -0.2));
     let scene = |integrator: &str| {
@@ -298,7 +296,7 @@ fn work(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn impulse(subject: &Subject) -> Result<Findings, Error> {
+fn impulse(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let (m, inertia) = (2.0, Vec3::new(0.3, 0.4, 0.6));
     let turned = Quat::from_rotation_vector(Vec3::new(0.4, -0.3, 1.1));

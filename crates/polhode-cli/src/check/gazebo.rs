@@ -2,7 +2,7 @@
 
 use super::reference;
 use super::report::figure;
-use super::scene::visit;
+use super::scene::{Greatest, visit};
 use super::suite::{Check, Findings, Group, Subject, Table, Worst};
 use polhode::math::{Quat, Vec3};
 use polhode::model::Body;
@@ -70,7 +70,7 @@ struct Errors {
     ratio: f64,
 }
 
-fn fly(subject: &Subject, scenario: &Scenario, integrator: &str, dt: f64) -> Result<Errors, Error> {
+fn fly(subject: Subject, scenario: &Scenario, integrator: &str, dt: f64) -> Result<Errors, Error> {
     let mut world = subject.world(integrator)?;
     world.set_gravity(scenario.gravity)?;
     let shape = Shape::cuboid([0.1, 0.4, 0.9]).mass(10.0);
@@ -82,11 +82,11 @@ fn fly(subject: &Subject, scenario: &Scenario, integrator: &str, dt: f64) -> Res
         let (v, t) = (scenario.v, time);
         let body = world.body(id);
         let x = v * t + scenario.gravity * (0.5 * t * t);
-        e.position = e.position.max((body.center_of_mass() - x).length());
-        e.velocity = e.velocity.max((body.velocity() - (v + scenario.gravity * t)).length());
-        e.angle = e.angle.max(body.rotation().angle_to(attitude));
-        e.l = e.l.max((body.angular_momentum() - l).length() / l.length());
-        e.energy = e.energy.max((world.energy().total() / energy - 1.0).abs());
+        e.position = e.position.greatest((body.center_of_mass() - x).length());
+        e.velocity = e.velocity.greatest((body.velocity() - (v + scenario.gravity * t)).length());
+        e.angle = e.angle.greatest(body.rotation().angle_to(attitude));
+        e.l = e.l.greatest((body.angular_momentum() - l).length() / l.length());
+        e.energy = e.energy.greatest((world.energy().total() / energy - 1.0).abs());
     };
     let start = Instant::now();
     visit(&mut world, dt, scenario.attitudes.iter().map(|a| a.0), see);
@@ -94,7 +94,7 @@ fn fly(subject: &Subject, scenario: &Scenario, integrator: &str, dt: f64) -> Res
     Ok(e)
 }
 
-fn measure(subject: &Subject) -> Result<Findings, Error> {
+fn measure(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let mut table = Table {
         columns: vec![
@@ -136,7 +136,7 @@ fn bound(worst: &mut [Worst; 5], scenario: &Scenario, integrator: &str, dt: f64,
     let [position, velocity, angle, momentum, energy] = worst;
     let n = 10.0 / dt;
     let g = scenario.gravity.length();
-    let v = (scenario.v + scenario.gravity * 10.0).length().max(scenario.v.length());
+    let v = (scenario.v + scenario.gravity * 10.0).length().greatest(scenario.v.length());
     let roundings = (0.5 * n + 4.0) * f64::EPSILON;
     let (dv, dx) = (roundings * v, roundings * 2.0 * (10.0 * v));
     position.see(

@@ -9,7 +9,6 @@ mod report;
 mod json;
 mod reference;
 mod slope;
-mod random;
 mod scene;
 
 mod free;
@@ -25,6 +24,7 @@ mod determinism;
 mod pins;
 mod lecture;
 
+pub(crate) use report::draw;
 pub use suite::{Check, Findings, Group, Measured, Subject, Table, Verdict, suite};
 
 use crate::{Outcome, Progress, Refusal, Terminal};
@@ -59,7 +59,7 @@ impl Arguments {
             return Ok(Outcome::Done);
         }
         let subject = self.with_integrator.map_or_else(Subject::default, Subject::with_integrator);
-        let verdicts = run(&checks, &subject);
+        let verdicts = run(&checks, subject);
         if self.json {
             json::verdicts(terminal.out, &verdicts)?;
         } else {
@@ -70,7 +70,7 @@ impl Arguments {
 }
 
 /// Runs checks one after the other.
-pub fn run(checks: &[Check], subject: &Subject) -> Vec<Verdict> {
+pub fn run(checks: &[Check], subject: Subject) -> Vec<Verdict> {
     let progress = Progress::new(checks.len() as u64);
     checks
         .iter()
@@ -89,11 +89,10 @@ fn select(names: &[String]) -> Result<Vec<Check>, Refusal> {
     let meant = |name: &str, check: &Check| check.name == name || check.group.name() == name;
     if let Some(unknown) = names.iter().find(|name| !all.iter().any(|check| meant(name, check))) {
         let known = Group::ALL.iter().map(|g| g.name()).chain(all.iter().map(|c| c.name));
-        let mut why = format!("no check and no group of checks is called `{unknown}`");
-        if let Some(near) = nearest(unknown, known) {
-            why += &format!("; did you mean `{near}`?");
-        }
-        return Err(Refusal::Input(why + "\nAll names: polhode check --list"));
+        let near = nearest(unknown, known).map_or(String::new(), |name| format!("; did you mean `{name}`?"));
+        return Err(Refusal::Input(format!(
+            "no check and no group of checks is called `{unknown}`{near}\nAll names: polhode check --list"
+        )));
     }
     Ok(all.into_iter().filter(|check| names.is_empty() || names.iter().any(|name| meant(name, check))).collect())
 }

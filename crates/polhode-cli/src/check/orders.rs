@@ -2,7 +2,7 @@
 
 use super::orbits::kepler_position;
 use super::report::figure;
-use super::scene::{ball, rigid, same_bits, steps};
+use super::scene::{Greatest, ball, rigid, same_bits, steps};
 use super::slope::{self, ROOM};
 use super::suite::{Check, Findings, Group, Subject, Table};
 use polhode::field::{Field, Wrench};
@@ -93,7 +93,7 @@ fn n_steps(order: u32, composed: bool) -> usize {
     }
 }
 
-fn measure(subject: &Subject) -> Result<Findings, Error> {
+fn measure(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     let mut table = Table {
         columns: vec![
@@ -155,7 +155,7 @@ fn first(world: &World) -> (Quat, Vec3) {
 }
 
 /// The largest attitude error against the exact solution \[rad\].
-fn free_error(subject: &Subject, integrator: &str, n: usize) -> Result<f64, Error> {
+fn free_error(subject: Subject, integrator: &str, n: usize) -> Result<f64, Error> {
     let mut world = free_world(subject, integrator)?;
     let k = Vec3::new(1.0 / INERTIA.x, 1.0 / INERTIA.y, 1.0 / INERTIA.z);
     let h = TIME / n as f64;
@@ -163,12 +163,12 @@ fn free_error(subject: &Subject, integrator: &str, n: usize) -> Result<f64, Erro
     for step in 1..=n {
         world.step(h);
         let exact = Drift::Exact.rotate(Quat::IDENTITY, INERTIA.scale(W), k, h * step as f64);
-        worst = worst.max(first(&world).0.angle_to(exact));
+        worst = worst.greatest(first(&world).0.angle_to(exact));
     }
     Ok(worst)
 }
 
-fn free_world(subject: &Subject, integrator: &str) -> Result<World, Error> {
+fn free_world(subject: Subject, integrator: &str) -> Result<World, Error> {
     let mut world = subject.world(integrator)?;
     world.add(rigid(1.0, INERTIA)?.angular_velocity(W))?;
     Ok(world)
@@ -185,7 +185,7 @@ impl HeavyPath {
 
     fn new() -> Result<Self, Error> {
         // 480 steps of the eighth order: (2/480 s · 3 rad/s)^8 is below rounding.
-        let mut world = Self::world(&Subject::default(), "kahan-li8:exact")?;
+        let mut world = Self::world(Subject::default(), "kahan-li8:exact")?;
         let h = TIME / 480.0;
         let attitudes = (0..Self::POINTS).map(|_| {
             steps(&mut world, 480 / Self::POINTS, h);
@@ -193,7 +193,7 @@ impl HeavyPath {
         });
         Ok(Self { attitudes: attitudes.collect() })
     }
-    fn world(subject: &Subject, integrator: &str) -> Result<World, Error> {
+    fn world(subject: Subject, integrator: &str) -> Result<World, Error> {
         let mut world = subject.world(integrator)?;
         world.add(rigid(1.0, [0.6, 0.8, 1.0])?.angular_velocity([0.3, 0.5, 2.0]))?;
         let (center, weight) = (Vec3::new(0.1, 0.0, 0.2), Vec3::new(0.0, 0.0, -9.81));
@@ -203,7 +203,7 @@ impl HeavyPath {
         ))?;
         Ok(world)
     }
-    fn error(&self, subject: &Subject, integrator: &str, n: usize) -> Result<f64, Error> {
+    fn error(&self, subject: Subject, integrator: &str, n: usize) -> Result<f64, Error> {
         let mut world = Self::world(subject, integrator)?;
         // Whole steps between the points at which the path is known.
         let each = n.div_ceil(Self::POINTS);
@@ -211,14 +211,14 @@ impl HeavyPath {
         let mut worst: f64 = 0.0;
         for attitude in &self.attitudes {
             steps(&mut world, each, h);
-            worst = worst.max(first(&world).0.angle_to(*attitude));
+            worst = worst.greatest(first(&world).0.angle_to(*attitude));
         }
         Ok(worst)
     }
 }
 
 /// The largest distance from the ellipse's point at the time, for a = 1 m, µ = 1 m³/s², e = 0.3 \[m\].
-fn orbit_error(subject: &Subject, integrator: &str, n: usize) -> Result<f64, Error> {
+fn orbit_error(subject: Subject, integrator: &str, n: usize) -> Result<f64, Error> {
     let e = 0.3;
     let mut world = subject.world(integrator)?;
     world.add(ball(1.0)?.position([1.0 - e, 0.0, 0.0]).velocity([0.0, libm::sqrt((1.0 + e) / (1.0 - e)), 0.0]))?;
@@ -227,13 +227,13 @@ fn orbit_error(subject: &Subject, integrator: &str, n: usize) -> Result<f64, Err
     let mut worst: f64 = 0.0;
     for step in 1..=n {
         world.step(h);
-        worst = worst.max((first(&world).1 - kepler_position(e, h * step as f64)).length());
+        worst = worst.greatest((first(&world).1 - kepler_position(e, h * step as f64)).length());
     }
     Ok(worst)
 }
 
 /// What becomes of the energy and of L in 10 000 steps, and of the way back.
-fn conserves(findings: &mut Findings, row: &mut Vec<String>, subject: &Subject, scheme: &Scheme) -> Result<(), Error> {
+fn conserves(findings: &mut Findings, row: &mut Vec<String>, subject: Subject, scheme: &Scheme) -> Result<(), Error> {
     let Scheme { name, energy, symmetric, .. } = *scheme;
     let mut world = free_world(subject, name)?;
     let (l, start) = (world.angular_momentum([0.0; 3]), world.energy().total());
@@ -243,20 +243,20 @@ fn conserves(findings: &mut Findings, row: &mut Vec<String>, subject: &Subject, 
         world.step(h);
         changes += usize::from(!same_bits(world.angular_momentum([0.0; 3]), l));
         let half = &mut halves[2 * step / n];
-        *half = half.max((world.energy().total() / start - 1.0).abs());
+        *half = half.greatest((world.energy().total() / start - 1.0).abs());
     }
-    let largest = halves[0].max(halves[1]);
+    let largest = halves[0].greatest(halves[1]);
     findings.none(format!("steps in which L changes, {name}"), changes, "every scheme has L for its state");
     match energy {
         Kept => {
-            let because = "conserved by the scheme: 10 000 steps of rounding are far below the bar for a million";
+            let because = "conserved by the scheme: 10 000 steps of rounding are far below the 1e-12 of a million";
             findings.at_most(format!("largest relative change of the energy, {name}"), largest, 1e-12, because);
         }
         Bounded => {
             let because = "no drift: the second half is no worse than the first, but for a tenth by chance of the phase, \
-                           and for rounding, by the bar for a million steps";
+                           and for 1e-12, the rounding of a million steps";
             let what = format!("energy error of the second half beyond 1.1 times that of the first, {name}");
-            findings.at_most(what, (halves[1] - 1.1 * halves[0]).max(0.0), 1e-12, because);
+            findings.at_most(what, (halves[1] - 1.1 * halves[0]).greatest(0.0), 1e-12, because);
         }
         Drifts => {}
     }

@@ -69,11 +69,13 @@ fn full(out: &mut dyn Write, verdict: &Verdict) -> io::Result<()> {
 }
 
 fn figures(out: &mut dyn Write, findings: &Findings) -> io::Result<()> {
-    for Measured { what, error, tolerance, because } in &findings.measured {
-        let passed = error <= tolerance;
-        let mark = if passed { styled(GOOD, "ok    ") } else { styled(BAD, "FAILED") };
-        writeln!(out, "  {mark} {:>7} ≤ {:<7}  {what}", figure(*error), figure(*tolerance))?;
-        writeln!(out, "                             {}", styled(FAINT, because))?;
+    // A reason that several figures share stands once, below the last of them.
+    for same in findings.measured.chunk_by(|a, b| a.because == b.because) {
+        for figure @ Measured { what, error, tolerance, .. } in same {
+            let mark = if figure.passed() { styled(GOOD, "ok    ") } else { styled(BAD, "FAILED") };
+            writeln!(out, "  {mark} {:>7} ≤ {:<7}  {what}", self::figure(*error), self::figure(*tolerance))?;
+        }
+        writeln!(out, "{:28}{}", "", styled(FAINT, &same[0].because))?;
     }
     match &findings.table {
         Some(table) => writeln!(out).and_then(|()| draw(out, table)),
@@ -91,7 +93,7 @@ pub(crate) fn draw(out: &mut dyn Write, table: &Table) -> io::Result<()> {
         let mut text = String::new();
         for (i, (cell, &width)) in cells.zip(&widths).enumerate() {
             let gap = " ".repeat(width - count(cell));
-            text += &if i == 0 { format!("  {cell}{gap}") } else { format!("  {gap}{cell}") };
+            text.extend(if i == 0 { ["  ", cell, &gap] } else { ["  ", &gap, cell] });
         }
         text.trim_end().to_string()
     };

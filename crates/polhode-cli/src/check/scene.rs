@@ -39,6 +39,18 @@ pub(super) fn steps(world: &mut World, n: usize, h: f64) {
     }
 }
 
+/// The maximum of errors: what is no number counts as greater than all, so that it cannot pass unseen.
+pub(super) trait Greatest {
+    /// The greater of two, or NaN if one of them is.
+    fn greatest(self, other: Self) -> Self;
+}
+
+impl Greatest for f64 {
+    fn greatest(self, other: Self) -> Self {
+        if self.is_nan() || self >= other { self } else { other }
+    }
+}
+
 /// Whether two vectors are the same to the bit.
 pub(super) fn same_bits(a: Vec3, b: Vec3) -> bool {
     a.to_array().map(f64::to_bits) == b.to_array().map(f64::to_bits)

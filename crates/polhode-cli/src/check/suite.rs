@@ -70,7 +70,7 @@ pub struct Check {
     /// What must hold, in a sentence.
     pub law: &'static str,
     /// Measures it.
-    pub measure: fn(&Subject) -> Result<Findings, Error>,
+    pub measure: fn(Subject) -> Result<Findings, Error>,
 }
 
 /// What is put to the test: the engine as it is, or, for a negative control, with one integrator in the place of all.
@@ -86,31 +86,31 @@ impl Subject {
         Self { substitute: Some(integrator) }
     }
     /// The integrator of a name, or what stands for it.
-    pub(super) fn integrator(&self, name: &str) -> Result<Integrator, Error> {
+    pub(super) fn integrator(self, name: &str) -> Result<Integrator, Error> {
         self.substitute.map_or_else(|| name.parse(), Ok)
     }
     /// The free rotation that an integrator is made of; a coupled one is stood for by exp(h ω) with ω frozen, its order 1.
-    pub(super) fn drift(&self, name: &str) -> Result<Drift, Error> {
+    pub(super) fn drift(self, name: &str) -> Result<Drift, Error> {
         Ok(match self.integrator(name)? {
             Integrator::Split { drift, .. } => drift,
             Integrator::Coupled(_) => Drift::Exponential,
         })
     }
     /// A world without gravity.
-    pub(super) fn world(&self, integrator: &str) -> Result<World, Error> {
+    pub(super) fn world(self, integrator: &str) -> Result<World, Error> {
         self.prepare(World::new(), integrator)
     }
     /// A world in the plane, without gravity.
-    pub(super) fn planar_world(&self, integrator: &str) -> Result<World, Error> {
+    pub(super) fn planar_world(self, integrator: &str) -> Result<World, Error> {
         self.prepare(World::planar(), integrator)
     }
-    fn prepare(&self, mut world: World, integrator: &str) -> Result<World, Error> {
+    fn prepare(self, mut world: World, integrator: &str) -> Result<World, Error> {
         world.set_gravity([0.0; 3])?;
         world.set_integrator(self.integrator(integrator)?)?;
         Ok(world)
     }
     /// Whether the formulas that the slides got wrong are used as printed.
-    pub(super) fn as_on_the_slides(&self) -> bool {
+    pub(super) fn as_on_the_slides(self) -> bool {
         self.substitute.is_some_and(|i| "slides".parse().is_ok_and(|slides: Integrator| i == slides))
     }
 }
@@ -129,9 +129,9 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Whether the figure keeps to its bound; a figure that is no number does not.
+    /// Whether the figure keeps to its bound. What is no number does not, nor does anything to a bound without end.
     pub fn passed(&self) -> bool {
-        self.error <= self.tolerance
+        self.tolerance.is_finite() && self.error <= self.tolerance
     }
     /// How much of the tolerance is used up.
     pub fn share(&self) -> f64 {
@@ -227,7 +227,7 @@ impl Verdict {
 
 impl Check {
     /// Runs the check.
-    pub fn run(&self, subject: &Subject) -> Verdict {
+    pub fn run(&self, subject: Subject) -> Verdict {
         let start = Instant::now();
         let findings = (self.measure)(subject);
         Verdict { check: *self, findings, seconds: start.elapsed().as_secs_f64() }
@@ -253,4 +253,35 @@ pub fn suite() -> Vec<Check> {
     let mut all = modules.concat();
     all.sort_by_key(|check| Group::ALL.iter().position(|&group| group == check.group));
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::scene::Greatest;
+    use super::*;
+
+    fn figure(error: f64, tolerance: f64) -> Measured {
+        Measured { what: String::new(), error, tolerance, because: String::new() }
+    }
+
+    #[test]
+    fn what_is_no_number_passes_nowhere() {
+        assert!(figure(1.0, 1.0).passed() && figure(0.0, 0.0).passed());
+        for (error, tolerance) in [(f64::NAN, 1.0), (1.0, f64::NAN), (f64::INFINITY, f64::INFINITY), (2.0, 1.0)] {
+            assert!(!figure(error, tolerance).passed(), "{error} {tolerance}");
+        }
+        assert!(f64::NAN.greatest(1.0).is_nan() && 1.0_f64.greatest(f64::NAN).is_nan());
+        assert_eq!((2.0_f64.greatest(1.0), 1.0_f64.greatest(2.0)), (2.0, 2.0));
+    }
+
+    #[test]
+    fn the_worst_figure_is_the_one_nearest_to_its_bound() {
+        let mut worst = Worst::default();
+        for (what, error, tolerance) in [("far", 1.0, 10.0), ("near", 0.9, 1.0), ("none", 0.0, 0.0)] {
+            worst.see(what, error, tolerance, "");
+        }
+        assert_eq!(worst.0.as_ref().map(|m| m.what.as_str()), Some("near"));
+        worst.see("beyond", f64::NAN, 1.0, "").see("within", 1.0, 1.0, "");
+        assert_eq!(worst.0.map(|m| m.what), Some("beyond".to_string()));
+    }
 }

@@ -1,6 +1,6 @@
 //! The centre of mass: the parabola, and the oscillator by which schemes are told apart.
 
-use super::scene::{ball, steps};
+use super::scene::{Greatest, ball, steps};
 use super::suite::{Check, Findings, Group, Subject, Worst};
 use polhode::field::{Anchor, Field};
 use polhode::math::{Mat3, Vec3};
@@ -41,7 +41,7 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
-fn parabola(subject: &Subject) -> Result<Findings, Error> {
+fn parabola(subject: Subject) -> Result<Findings, Error> {
     let mut worst: [Worst; 2] = Default::default();
     let (v, g) = (Vec3::new(3.0, -2.0, 20.0), Vec3::new(0.1, 0.2, -9.81));
     for h in [1e-4, 1.0 / 240.0, 1.0 / 60.0, 0.1, 0.37, 1.0 / 3.0, 1.7, 10.0] {
@@ -49,10 +49,10 @@ fn parabola(subject: &Subject) -> Result<Findings, Error> {
         world.set_gravity(g)?;
         let body = ball(2.5)?.velocity(v).angular_velocity([0.3, 2.0, 0.1]);
         let id = world.add(body)?;
-        let n = (10.0_f64 / h).round().max(1.0);
+        let n = (10.0_f64 / h).round().greatest(1.0);
         steps(&mut world, n as usize, h);
         let t = n * h;
-        let (x, speed) = (v * t + g * (0.5 * t * t), (v + g * t).length().max(v.length()));
+        let (x, speed) = (v * t + g * (0.5 * t * t), (v + g * t).length().greatest(v.length()));
         // Half a rounding of x a step; half of one of v a kick, of which there are two, which lasts to the end.
         let rounding = (n + 4.0) * f64::EPSILON;
         let body = world.body(id);
@@ -60,7 +60,7 @@ fn parabola(subject: &Subject) -> Result<Findings, Error> {
         position.see(
             format!("distance from the parabola after {n} steps of {h} s [m]"),
             (body.center_of_mass() - x).length(),
-            rounding * (x.length().max(v.length() * t) + t * speed),
+            rounding * (x.length().greatest(v.length() * t) + t * speed),
             "half a rounding of x in each step, two of v, and these carried on to the end",
         );
         velocity.see(
@@ -81,7 +81,7 @@ fn parabola(subject: &Subject) -> Result<Findings, Error> {
 const FREQUENCY: f64 = 4.0;
 
 /// A mass of 2 kg on a spring, 1 m from where it would rest.
-fn oscillator(subject: &Subject, integrator: &str) -> Result<(World, BodyId), Error> {
+fn oscillator(subject: Subject, integrator: &str) -> Result<(World, BodyId), Error> {
     let mass = 2.0;
     let mut world = subject.world(integrator)?;
     let id = world.add(ball(mass)?.position([1.0, 0.0, 0.0]))?;
@@ -90,13 +90,13 @@ fn oscillator(subject: &Subject, integrator: &str) -> Result<(World, BodyId), Er
     Ok((world, id))
 }
 
-fn growth(subject: &Subject) -> Result<Findings, Error> {
+fn growth(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
     for integrator in ["explicit-euler", "kick-explicit", "slides"] {
         let mut worst = Worst::default();
         for h in [1e-3, 1.0 / 60.0, 0.1] {
             let (mut world, _) = oscillator(subject, integrator)?;
-            let n = 1000;
+            let n: usize = 1000;
             let before = world.energy().total();
             steps(&mut world, n, h);
             let amplitude = libm::sqrt(world.energy().total() / before);
@@ -115,9 +115,9 @@ fn growth(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn invariants(subject: &Subject) -> Result<Findings, Error> {
+fn invariants(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
-    let (n, h) = (100_000, 1.0 / 60.0);
+    let (n, h): (usize, f64) = (100_000, 1.0 / 60.0);
     let (w, hw) = (FREQUENCY, h * FREQUENCY);
     for (integrator, name) in [("symplectic-euler", "symplectic Euler"), ("pdmv6", "Verlet")] {
         let (mut world, id) = oscillator(subject, integrator)?;
@@ -137,8 +137,8 @@ fn invariants(subject: &Subject) -> Result<Findings, Error> {
         for _ in 0..n {
             world.step(h);
             let (kept, energy) = of(&world);
-            change = change.max((kept / start.0 - 1.0).abs());
-            swing = swing.max((energy / start.1 - 1.0).abs());
+            change = change.greatest((kept / start.0 - 1.0).abs());
+            swing = swing.greatest((energy / start.1 - 1.0).abs());
         }
         findings.at_most(
             format!("largest relative change of the invariant of {name} in {n} steps"),
@@ -158,7 +158,7 @@ fn invariants(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn phase(subject: &Subject) -> Result<Findings, Error> {
+fn phase(subject: Subject) -> Result<Findings, Error> {
     let mut worst = Worst::default();
     for h in [1.0 / 60.0, 0.1, 0.3] {
         let (mut world, id) = oscillator(subject, "pdmv6")?;
@@ -167,7 +167,7 @@ fn phase(subject: &Subject) -> Result<Findings, Error> {
         for step in 1..=n {
             world.step(h);
             let expected = libm::cos(step as f64 * theta);
-            largest = largest.max((world.body(id).center_of_mass().x - expected).abs());
+            largest = largest.greatest((world.body(id).center_of_mass().x - expected).abs());
         }
         // A rounding of x or v is a change of phase and amplitude, which stays; the angle nθ is rounded as well, and θ is
         // the worse known the smaller it is.
@@ -180,9 +180,9 @@ fn phase(subject: &Subject) -> Result<Findings, Error> {
     Ok(findings)
 }
 
-fn matrix_drift(subject: &Subject) -> Result<Findings, Error> {
+fn matrix_drift(subject: Subject) -> Result<Findings, Error> {
     let mut findings = Findings::default();
-    let (n, h, w) = (600, 1.0 / 60.0, 10.0);
+    let (n, h, w): (usize, f64, f64) = (600, 1.0 / 60.0, 10.0);
     let spinning = |integrator: &str| -> Result<(World, BodyId), Error> {
         let mut world = subject.world(integrator)?;
         let id = world.add(super::scene::rigid(1.0, [0.6, 0.8, 1.0])?.angular_velocity([0.0, 0.0, w]))?;

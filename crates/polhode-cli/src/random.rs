@@ -3,11 +3,11 @@
 use polhode::math::Vec3;
 
 /// A stream of numbers.
-pub(super) struct Random(u64);
+pub(crate) struct Random(u64);
 
 impl Random {
     /// The stream of a seed.
-    pub(super) fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self(seed)
     }
     fn bits(&mut self) -> u64 {
@@ -17,13 +17,13 @@ impl Random {
         z ^ (z >> 31)
     }
     /// Uniform in [low, high).
-    pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         // 53 bits fill the mantissa.
         let unit = (self.bits() >> 11) as f64 / (1u64 << 53) as f64;
         low + (high - low) * unit
     }
     /// Uniform in a cube of half edge `half`.
-    pub(super) fn vector(&mut self, half: f64) -> Vec3 {
+    pub(crate) fn vector(&mut self, half: f64) -> Vec3 {
         Vec3::new(self.between(-half, half), self.between(-half, half), self.between(-half, half))
     }
 }
