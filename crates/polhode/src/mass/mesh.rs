@@ -21,8 +21,14 @@ use crate::math::Vec3;
 /// without area, an edge without its opposite (the mesh is open, or two neighbours disagree about the outside) or with more
 /// than two triangles, a piece that is inside-out or has no volume. Also if the density is not positive and finite.
 pub fn solid(positions: &[Vec3], triangles: &[[u32; 3]], density: f64) -> Result<Moments, Error> {
-    let rho = check::density(density)?;
+    check::density(density)?;
     closed::check(positions, triangles)?;
+    solid_of_closed(positions, triangles, density)
+}
+
+/// [`solid`] of a surface that is closed by construction, where triangles without area do no harm.
+pub(crate) fn solid_of_closed(positions: &[Vec3], triangles: &[[u32; 3]], density: f64) -> Result<Moments, Error> {
+    let rho = check::density(density)?;
     let origin = middle(triangles.iter().flat_map(|&t| corners(positions, t)));
     let mut sum = SimplexSum::ZERO;
     for &triangle in triangles {
@@ -37,8 +43,20 @@ pub fn solid(positions: &[Vec3], triangles: &[[u32; 3]], density: f64) -> Result
 /// # Errors
 /// As [`solid`]; also if the thickness is not positive and finite.
 pub fn shell(positions: &[Vec3], triangles: &[[u32; 3]], thickness: f64, density: f64) -> Result<Moments, Error> {
-    let sigma = check::positive("thickness", thickness, "m")? * check::density(density)?;
+    check::positive("thickness", thickness, "m")?;
+    check::density(density)?;
     closed::check(positions, triangles)?;
+    shell_of_closed(positions, triangles, thickness, density)
+}
+
+/// [`shell`] of a surface that is closed by construction.
+pub(crate) fn shell_of_closed(
+    positions: &[Vec3],
+    triangles: &[[u32; 3]],
+    thickness: f64,
+    density: f64,
+) -> Result<Moments, Error> {
+    let sigma = check::positive("thickness", thickness, "m")? * check::density(density)?;
     let origin = middle(triangles.iter().flat_map(|&t| corners(positions, t)));
     let mut sum = SimplexSum::ZERO;
     for &triangle in triangles {

@@ -1,0 +1,79 @@
+//! The vertex farthest in a direction, and what is inside.
+
+use super::ConvexHull;
+use crate::math::Vec3;
+
+/// Up to this many vertices, looking at all of them costs less than walking along edges.
+const FEW: usize = 16;
+
+impl ConvexHull {
+    /// The vertex farthest in `direction`, of any length, and its position \[m\].
+    ///
+    /// Walks uphill along edges: on a convex surface no other summit exists. Of vertices equally far to rounding it may
+    /// give any, but always the same for the same direction.
+    pub fn support(&self, direction: Vec3) -> (usize, Vec3) {
+        let height = |v: u32| direction.dot(self.vertices[v as usize]);
+        let mut best = self.extremes[0];
+        if self.vertices.len() <= FEW {
+            for v in 0..self.vertices.len() as u32 {
+                if height(v) > height(best) {
+                    best = v;
+                }
+            }
+        } else {
+            for v in self.extremes {
+                if height(v) > height(best) {
+                    best = v;
+                }
+            }
+            best = self.climb(best, height);
+        }
+        (best as usize, self.vertices[best as usize])
+    }
+
+    /// The vertex farthest in `direction`, from a vertex that is near it, such as the last answer.
+    ///
+    /// # Panics
+    /// If there is no vertex `start`.
+    pub fn support_from(&self, start: usize, direction: Vec3) -> (usize, Vec3) {
+        let best = self.climb(start as u32, |v| direction.dot(self.vertices[v as usize])) as usize;
+        (best, self.vertices[best])
+    }
+
+    /// The summit above `start`.
+    pub(super) fn climb(&self, start: u32, height: impl Fn(u32) -> f64) -> u32 {
+        let (mut best, mut highest) = (start, height(start));
+        loop {
+            let here = best;
+            for &v in self.neighbours(here as usize) {
+                let h = height(v);
+                if h > highest {
+                    (best, highest) = (v, h);
+                }
+            }
+            if best == here {
+                return best;
+            }
+        }
+    }
+
+    /// Whether a point is inside or, to [`ConvexHull::rounding`], on the surface.
+    pub fn contains(&self, point: Vec3) -> bool {
+        let below = |(n, &offset): (&Vec3, &f64)| n.dot(point) - offset <= self.rounding;
+        self.normals.iter().zip(&self.offsets).all(below)
+    }
+
+    /// The vertices farthest along −x, x, −y, y, −z, z: where walks begin.
+    pub(super) fn find_extremes(&self) -> [u32; 6] {
+        let mut extremes = [0; 6];
+        for (k, extreme) in extremes.iter_mut().enumerate() {
+            let sign = if k % 2 == 0 { -1.0 } else { 1.0 };
+            for v in 0..self.vertices.len() {
+                if sign * self.vertices[v][k / 2] > sign * self.vertices[*extreme as usize][k / 2] {
+                    *extreme = v as u32;
+                }
+            }
+        }
+        extremes
+    }
+}
