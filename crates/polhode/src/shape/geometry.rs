@@ -1,8 +1,8 @@
 //! The closed set of geometries.
 
 use super::{
-    Capsule, Cone, ConvexHull, Cuboid, Cylinder, Disc, Ellipsoid, Fill, HalfSpace, Polygon, Rectangle, Ring, Sphere, Torus,
-    TriangleMesh,
+    Capsule, Cone, ConvexHull, Cuboid, Cylinder, Disc, Ellipsoid, Fill, HalfSpace, Polygon, Rectangle, Ring, Sphere,
+    Torus, TriangleMesh,
 };
 use crate::error::Error;
 use crate::mass::Moments;

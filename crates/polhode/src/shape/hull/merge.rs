@@ -37,7 +37,7 @@ pub(super) fn merge(triangles: &Triangles, points: &[Vec3], tolerance: f64) -> M
     if vertices.len() < points.len() {
         return Merged::Fewer(vertices);
     }
-    loops(triangles, &faces).map_or(Merged::Torn, Merged::Faces)
+    loops(triangles, &faces, points).map_or(Merged::Torn, Merged::Faces)
 }
 
 /// Connected triangles in one plane.
@@ -62,11 +62,14 @@ impl Regions {
             if grown.of_triangle[seed as usize] != NONE {
                 continue;
             }
-            let (mut members, mut normal, mut origin) = (vec![seed], areas[seed as usize], corners(seed)[0]);
+            let mut members = vec![seed];
+            let mut area = areas[seed as usize];
             // Each fit makes the plane better by the factor by which the face grew: a few suffice.
             for _ in 0..8 {
                 walk += 1;
-                let unit = normal / normal.length().greatest(f64::MIN_POSITIVE);
+                let found: Vec<Vec3> = members.iter().flat_map(|&t| corners(t)).collect();
+                let unit = normal(&found, area);
+                let origin = found[0];
                 let before = members.len();
                 members = flood(triangles, &mut reached, walk, seed, |t| {
                     let flat = |p: Vec3| unit.dot(p - origin).abs() <= tolerance;
@@ -77,9 +80,7 @@ impl Regions {
                 if members.len() == before {
                     break;
                 }
-                normal = members.iter().map(|&t| areas[t as usize]).sum();
-                let sum: Vec3 = members.iter().flat_map(|&t| corners(t)).map(|p| p - origin).sum();
-                origin += sum / (3 * members.len()) as f64;
+                area = members.iter().map(|&t| areas[t as usize]).sum();
             }
             for &t in &members {
                 grown.of_triangle[t as usize] = grown.areas.len() as u32;
@@ -88,6 +89,37 @@ impl Regions {
         }
         grown
     }
+}
+
+/// The unit normal on the side of `area` of the plane through three of the points that are far apart.
+///
+/// A product of edges would be wrong for a needle of length l and width w by the angle ε l/w, all of it along the needle,
+/// and take its far end l times that off the plane. Here the long direction is made perpendicular to the normal to
+/// rounding, and the error of the short one only matters over its own length.
+fn normal(points: &[Vec3], area: Vec3) -> Vec3 {
+    let farthest_from = |q: Vec3| farthest(points, |p| (p - q).length_squared());
+    let a = farthest_from(points[0]);
+    let b = farthest_from(a);
+    let along = (b - a) / (b - a).length();
+    let across = |p: Vec3| (p - a) - along * along.dot(p - a);
+    let c = across(farthest(points, |p| across(p).length_squared()));
+    let short = c / c.length().greatest(f64::MIN_POSITIVE);
+    let short = short - along * along.dot(short);
+    let n = along.cross(short);
+    let n = n / n.length().greatest(f64::MIN_POSITIVE);
+    if n.dot(area) < 0.0 { -n } else { n }
+}
+
+/// The point of the greatest `measure`; the first of several.
+fn farthest(points: &[Vec3], measure: impl Fn(Vec3) -> f64) -> Vec3 {
+    let mut best = (points[0], measure(points[0]));
+    for &p in points {
+        let value = measure(p);
+        if value > best.1 {
+            best = (p, value);
+        }
+    }
+    best.0
 }
 
 /// Half the product of two edges: the area as an outward vector.
@@ -110,13 +142,7 @@ fn longest([a, b, c]: [Vec3; 3]) -> f64 {
 }
 
 /// The triangles that are reached from `seed` over triangles that belong.
-fn flood(
-    triangles: &Triangles,
-    reached: &mut [u32],
-    walk: u32,
-    seed: u32,
-    belongs: impl Fn(u32) -> bool,
-) -> Vec<u32> {
+fn flood(triangles: &Triangles, reached: &mut [u32], walk: u32, seed: u32, belongs: impl Fn(u32) -> bool) -> Vec<u32> {
     reached[seed as usize] = walk;
     let mut members = vec![seed];
     let mut next = 0;
@@ -154,7 +180,7 @@ fn vertices(triangles: &Triangles, face: &[u32], n_points: usize) -> Option<Vec<
 }
 
 /// The border of each face, beginning at its least vertex, in the order of the loops; `None` if one is not a single loop.
-fn loops(triangles: &Triangles, regions: &Regions) -> Option<Loops> {
+fn loops(triangles: &Triangles, regions: &Regions, points: &[Vec3]) -> Option<Loops> {
     let face = &regions.of_triangle;
     let mut borders: Vec<(u32, u32, u32)> = Vec::new();
     for (t, corners) in triangles.corners.iter().enumerate() {
@@ -182,7 +208,8 @@ fn loops(triangles: &Triangles, regions: &Regions) -> Option<Loops> {
             return None;
         }
         let area = regions.areas[border[0].0 as usize];
-        faces.push((corners, area.direction()?));
+        let positions: Vec<Vec3> = corners.iter().map(|&v| points[v as usize]).collect();
+        faces.push((corners, normal(&positions, area)));
     }
     faces.sort_unstable_by(|a, b| a.0.cmp(&b.0));
     let mut loops = Loops { starts: vec![0], origins: Vec::new(), normals: Vec::with_capacity(faces.len()) };

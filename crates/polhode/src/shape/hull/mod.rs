@@ -280,7 +280,7 @@ impl ConvexHull {
     /// If the density or the thickness is not positive and finite.
     pub fn moments(&self, fill: Fill, density: f64) -> Result<Moments, Error> {
         match fill {
-            Fill::Solid => mesh::solid_of_closed(&self.vertices, &self.triangles(), density),
+            Fill::Solid => mesh::solid_of_convex(&self.vertices, &self.triangles(), density),
             Fill::Shell { thickness } => mesh::shell_of_closed(&self.vertices, &self.triangles(), thickness, density),
         }
     }

@@ -186,11 +186,7 @@ impl Builder<'_> {
         let (u, v) = (b - a, c - a);
         let normal = u.cross(v);
         let sum = |p: f64, q: f64| p.abs() + q.abs();
-        let terms = Vec3::new(
-            sum(u.y * v.z, u.z * v.y),
-            sum(u.z * v.x, u.x * v.z),
-            sum(u.x * v.y, u.y * v.x),
-        );
+        let terms = Vec3::new(sum(u.y * v.z, u.z * v.y), sum(u.z * v.x, u.x * v.z), sum(u.x * v.y, u.y * v.x));
         // Four roundings of ε/2 in a component of the normal, four more in the scalar product with a difference that is at
         // most the size of the box; twice that, for the terms of second order and the roundings of the bound itself.
         let uncertainty = 8.0 * f64::EPSILON * terms.dot(self.size);
