@@ -73,8 +73,21 @@ impl ConvexHull {
     /// or that they lie at one place, on one line or in one plane, and how far they are off it.
     pub fn new(points: &[Vec3]) -> Result<Self, Error> {
         refuse(points)?;
+        let mut hull = Self::attempt(points)?;
+        // What a finer tolerance leaves may have a coarser hull: the answer is the one that is its own hull.
+        while hull.vertices.len() < points.len() {
+            let again = Self::attempt(&hull.vertices)?;
+            if again.vertices.len() == hull.vertices.len() {
+                return Ok(again);
+            }
+            hull = again;
+        }
+        Ok(hull)
+    }
+
+    /// The hull at the coarsest tolerance that leaves no face torn.
+    fn attempt(points: &[Vec3]) -> Result<Self, Error> {
         let mut trouble = None;
-        // Finer tolerances merge less: the last resort where rounding tears a face.
         for fineness in [1.0, 0.25, 0.0625] {
             match Self::with_tolerance(points, fineness * TOLERANCE) {
                 Ok(Some(hull)) => return Ok(hull),
@@ -174,7 +187,7 @@ impl ConvexHull {
             let corners = self.face(f);
             let origin = scaled[corners[0] as usize];
             let height = |v: u32| normal.dot(scaled[v as usize] - origin);
-            let top = self.climb(corners[0], height);
+            let top = self.climb(corners[0], |from, to| normal.dot(scaled[to as usize] - scaled[from as usize]));
             let highest = height(top);
             let n = corners.len();
             for i in 0..n {

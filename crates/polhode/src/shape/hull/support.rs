@@ -26,7 +26,8 @@ impl ConvexHull {
                     best = v;
                 }
             }
-            best = self.climb(best, height);
+            best =
+                self.climb(best, |from, to| direction.dot(self.vertices[to as usize] - self.vertices[from as usize]));
         }
         (best as usize, self.vertices[best as usize])
     }
@@ -36,25 +37,32 @@ impl ConvexHull {
     /// # Panics
     /// If there is no vertex `start`.
     pub fn support_from(&self, start: usize, direction: Vec3) -> (usize, Vec3) {
-        let best = self.climb(start as u32, |v| direction.dot(self.vertices[v as usize])) as usize;
+        let rise = |from: u32, to: u32| direction.dot(self.vertices[to as usize] - self.vertices[from as usize]);
+        let best = self.climb(start as u32, rise) as usize;
         (best, self.vertices[best])
     }
 
-    /// The summit above `start`.
-    pub(super) fn climb(&self, start: u32, height: impl Fn(u32) -> f64) -> u32 {
-        let (mut best, mut highest) = (start, height(start));
-        loop {
-            let here = best;
+    /// The summit above `start`, by the rise from one vertex to a neighbour.
+    ///
+    /// The rise along an edge, unlike a difference of two heights, is right to the rounding of a length as short as the
+    /// edge: the walk does not end early among vertices that are close together. Rounding could lead it in a circle among
+    /// vertices of one height, so it has no more steps than there are vertices.
+    pub(super) fn climb(&self, start: u32, rise: impl Fn(u32, u32) -> f64) -> u32 {
+        let mut here = start;
+        for _ in 0..self.vertices.len() {
+            let (mut best, mut most) = (here, 0.0);
             for &v in self.neighbours(here as usize) {
-                let h = height(v);
-                if h > highest {
-                    (best, highest) = (v, h);
+                let r = rise(here, v);
+                if r > most {
+                    (best, most) = (v, r);
                 }
             }
             if best == here {
-                return best;
+                break;
             }
+            here = best;
         }
+        here
     }
 
     /// Whether a point is inside or, to [`ConvexHull::rounding`], on the surface.
