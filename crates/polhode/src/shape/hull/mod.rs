@@ -118,6 +118,8 @@ impl ConvexHull {
                 continue;
             }
             match merge(&triangles, &scaled, tolerance * unit) {
+                // All in few planes: what is left has no volume.
+                Merged::Fewer(vertices) if vertices.len() < 4 => return Ok(None),
                 Merged::Fewer(vertices) => chosen = pick(&chosen, &vertices),
                 Merged::Faces(loops) => {
                     return Ok(Self::assemble(chosen, loops, ROUNDING * extent).settled(&scaled, ROUNDING * unit));
@@ -187,13 +189,20 @@ impl ConvexHull {
             let corners = self.face(f);
             let origin = scaled[corners[0] as usize];
             let height = |v: u32| normal.dot(scaled[v as usize] - origin);
-            let top = self.climb(corners[0], |from, to| normal.dot(scaled[to as usize] - scaled[from as usize]));
+            // In a valid hull no extreme vertex is above the face, and the walk has nothing to climb.
+            let higher = |u: u32, v: u32| if height(v) > height(u) { v } else { u };
+            let start = self.extremes.into_iter().fold(corners[0], higher);
+            let top = self.climb(start, |from, to| normal.dot(scaled[to as usize] - scaled[from as usize]));
             let highest = height(top);
             let n = corners.len();
             for i in 0..n {
                 let [a, b, c] = [i, (i + 1) % n, (i + 2) % n].map(|k| scaled[corners[k] as usize]);
                 let inward = normal.dot((c - a).cross(b - a));
-                if height(corners[i]) < highest - rounding || inward > rounding * (c - a).length() {
+                let beyond = self.beyond(self.half_edges(f).start + i)?;
+                if height(beyond) > rounding
+                    || height(corners[i]) < highest - rounding
+                    || inward > rounding * (c - a).length()
+                {
                     return None;
                 }
             }
@@ -201,6 +210,17 @@ impl ConvexHull {
         }
         let opposite = |h: usize| self.twins[h] != NONE && self.twins[self.twins[h] as usize] as usize == h;
         (0..self.twins.len()).all(opposite).then_some(self)
+    }
+}
+
+impl ConvexHull {
+    /// A vertex of the face across a half-edge, not on the edge; `None` if there is no such face.
+    fn beyond(&self, half_edge: usize) -> Option<u32> {
+        let twin = self.twins[half_edge];
+        let face = *self.faces_of.get(twin as usize)?;
+        let range = self.half_edges(face as usize);
+        let n = range.len();
+        Some(self.origins[range.start + (twin as usize - range.start + 2) % n])
     }
 }
 

@@ -18,6 +18,7 @@
 use super::NONE;
 use crate::math::{Lane, Vec3};
 use robust::{Coord3D, orient3d};
+use std::collections::VecDeque;
 
 /// A closed surface of triangles, exactly convex, counter-clockwise as seen from outside.
 pub(super) struct Triangles {
@@ -69,7 +70,8 @@ struct Builder<'a> {
     next: Vec<u32>,
     /// The new face whose horizon edge begins at this point.
     spoke: Vec<u32>,
-    queue: Vec<u32>,
+    /// First come, first served: a face left coarse among fine ones would hand on its points again and again.
+    queue: VecDeque<u32>,
     walk: u32,
 }
 
@@ -94,12 +96,12 @@ pub(super) fn quickhull(points: &[Vec3], tolerance: f64) -> Result<Triangles, Fl
         free: Vec::new(),
         next: vec![NONE; points.len()],
         spoke: vec![NONE; points.len()],
-        queue: Vec::new(),
+        queue: VecDeque::new(),
         walk: 0,
     };
     builder.start(simplex);
     loop {
-        while let Some(face) = builder.queue.pop() {
+        while let Some(face) = builder.queue.pop_front() {
             let f = &builder.faces[face as usize];
             if f.alive && f.height > tolerance {
                 builder.add(f.farthest, face);
@@ -354,7 +356,7 @@ impl Builder<'_> {
             }
             self.wait(point, best.0, best.1);
             if best.1 > self.tolerance {
-                self.queue.push(best.0);
+                self.queue.push_back(best.0);
             }
         }
         !self.queue.is_empty()
