@@ -192,7 +192,7 @@ impl ConvexHull {
             // In a valid hull no extreme vertex is above the face, and the walk has nothing to climb.
             let higher = |u: u32, v: u32| if height(v) > height(u) { v } else { u };
             let start = self.extremes.into_iter().fold(corners[0], higher);
-            let top = self.climb(start, |from, to| normal.dot(scaled[to as usize] - scaled[from as usize]));
+            let top = self.climb(start, |from, to| support::rise(normal, scaled[to as usize] - scaled[from as usize]));
             let highest = height(top);
             let n = corners.len();
             for i in 0..n {

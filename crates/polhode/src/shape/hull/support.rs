@@ -6,6 +6,13 @@ use crate::math::Vec3;
 /// Up to this many vertices, looking at all of them costs less than walking along edges.
 const FEW: usize = 16;
 
+/// How far an edge rises in a direction for certain: less the rounding of the product and of the edge, so that no walk can go
+/// in a circle.
+pub(super) fn rise(direction: Vec3, edge: Vec3) -> f64 {
+    let terms = direction.scale(edge);
+    terms.x + terms.y + terms.z - 4.0 * f64::EPSILON * (terms.x.abs() + terms.y.abs() + terms.z.abs())
+}
+
 impl ConvexHull {
     /// The vertex farthest in `direction`, of any length, and its position \[m\].
     ///
@@ -27,7 +34,7 @@ impl ConvexHull {
                 }
             }
             best =
-                self.climb(best, |from, to| direction.dot(self.vertices[to as usize] - self.vertices[from as usize]));
+                self.climb(best, |from, to| rise(direction, self.vertices[to as usize] - self.vertices[from as usize]));
         }
         (best as usize, self.vertices[best as usize])
     }
@@ -37,19 +44,18 @@ impl ConvexHull {
     /// # Panics
     /// If there is no vertex `start`.
     pub fn support_from(&self, start: usize, direction: Vec3) -> (usize, Vec3) {
-        let rise = |from: u32, to: u32| direction.dot(self.vertices[to as usize] - self.vertices[from as usize]);
-        let best = self.climb(start as u32, rise) as usize;
+        let along = |from: u32, to: u32| rise(direction, self.vertices[to as usize] - self.vertices[from as usize]);
+        let best = self.climb(start as u32, along) as usize;
         (best, self.vertices[best])
     }
 
     /// The summit above `start`, by the rise from one vertex to a neighbour.
     ///
     /// The rise along an edge, unlike a difference of two heights, is right to the rounding of a length as short as the
-    /// edge: the walk does not end early among vertices that are close together. Rounding could lead it in a circle among
-    /// vertices of one height, so it has no more steps than there are vertices.
+    /// edge: the walk does not end early among vertices that are close together.
     pub(super) fn climb(&self, start: u32, rise: impl Fn(u32, u32) -> f64) -> u32 {
         let mut here = start;
-        for _ in 0..self.vertices.len() {
+        loop {
             let (mut best, mut most) = (here, 0.0);
             for &v in self.neighbours(here as usize) {
                 let r = rise(here, v);
@@ -58,11 +64,10 @@ impl ConvexHull {
                 }
             }
             if best == here {
-                break;
+                return here;
             }
             here = best;
         }
-        here
     }
 
     /// Whether a point is inside or, to [`ConvexHull::rounding`], on the surface.
