@@ -97,10 +97,8 @@ impl Geometry {
     pub fn validate(&self) -> Result<(), Error> {
         match self {
             Self::HalfSpace(s) => s.validate(),
-            // Its indices and positions were checked when it was made; it need not be closed to be fixed.
-            Self::Mesh(_) => Ok(()),
-            // It is what it is by construction.
-            Self::Hull(_) => Ok(()),
+            // Checked when they were made; a mesh need not be closed to be fixed.
+            Self::Mesh(_) | Self::Hull(_) => Ok(()),
             // The closed forms check what they are given.
             _ => self.moments(Fill::Solid, 1.0).map(drop),
         }

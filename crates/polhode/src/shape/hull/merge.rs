@@ -30,9 +30,8 @@ pub(super) enum Merged {
 /// Merges triangles over `points` into faces whose corners are at most `tolerance` off their plane.
 pub(super) fn merge(triangles: &Triangles, points: &[Vec3], tolerance: f64) -> Merged {
     let faces = Regions::grow(triangles, points, tolerance);
-    let vertices = match vertices(triangles, &faces.of_triangle, points.len()) {
-        Some(vertices) => vertices,
-        None => return Merged::Torn,
+    let Some(vertices) = vertices(triangles, &faces.of_triangle, points.len()) else {
+        return Merged::Torn;
     };
     if vertices.len() < points.len() {
         return Merged::Fewer(vertices);

@@ -327,8 +327,8 @@ struct Scale {
 impl Scale {
     fn to_one(extent: f64) -> Self {
         // The exponent of `extent` turned around: between 2⁻¹⁰⁰⁰ and 2⁹³⁵ for the range of extents accepted.
-        let exponent = (extent.to_bits() >> 52) as i64 - 1023;
-        Self { factor: f64::from_bits(((1022 - exponent) as u64) << 52) }
+        let biased = extent.to_bits() >> 52;
+        Self { factor: f64::from_bits((2045 - biased) << 52) }
     }
     /// Coordinates that no product of three can underflow: multiples of 2⁻³⁰⁰.
     fn of(&self, p: Vec3) -> Vec3 {

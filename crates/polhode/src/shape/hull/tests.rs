@@ -6,7 +6,7 @@ use proptest::prelude::*;
 /// Everything that makes a hull valid, checked without the code that made it.
 fn check_valid(hull: &ConvexHull, points: &[Vec3]) -> Result<(), String> {
     let n_vertices = hull.vertices().len();
-    let euler = n_vertices as i64 - hull.n_edges() as i64 + hull.n_faces() as i64;
+    let euler = (n_vertices + hull.n_faces()).wrapping_sub(hull.n_edges());
     let demand = |ok: bool, what: &str| if ok { Ok(()) } else { Err(format!("{what}, of {n_vertices} vertices")) };
     demand(euler == 2, &format!("V − E + F = {euler}"))?;
     check_topology(hull).map_err(|e| format!("{e}, of {n_vertices} vertices"))?;
