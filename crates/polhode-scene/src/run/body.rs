@@ -7,7 +7,7 @@ use polhode::Error;
 use polhode::mass::{MassProperties, MassProperties2, Moments, Particle};
 use polhode::math::{Mat3, Quat, Vec3};
 use polhode::model::Body;
-use polhode::shape::{Geometry, Shape, TriangleMesh};
+use polhode::shape::{ConvexHull, Geometry, Shape, TriangleMesh};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -49,6 +49,10 @@ fn shape(file: &SceneFile, shape: &scene::Shape, meshes: &mut Meshes) -> Result<
         Form::Torus(s) => Shape::torus(s.major, s.minor),
         Form::HalfSpace(s) => Shape::half_space(s.normal),
         Form::Mesh(s) => Shape::mesh(meshes.get(file, s)?),
+        Form::Hull(s) => {
+            let points: Vec<Vec3> = s.points.iter().map(|&p| p.into()).collect();
+            Shape::hull(ConvexHull::new(&points)?)
+        }
         Form::Disc(s) => Shape::disc(s.radius),
         Form::Rectangle(s) => Shape::rectangle(s.size),
         Form::Polygon(s) => Shape::polygon(s.points.clone()),
@@ -185,6 +189,10 @@ fn picture(shape: &Shape) -> ShapeInfo {
         Geometry::Mesh(s) => FormInfo::Mesh {
             positions: s.positions().iter().flat_map(|p| p.to_array()).collect(),
             indices: s.triangles().iter().flatten().copied().collect(),
+        },
+        Geometry::Hull(s) => FormInfo::Mesh {
+            positions: s.vertices().iter().flat_map(|p| p.to_array()).collect(),
+            indices: s.triangles().into_flattened(),
         },
         Geometry::Disc(s) => FormInfo::Disc { radius: s.radius },
         Geometry::Rectangle(s) => FormInfo::Rectangle { size: s.size },

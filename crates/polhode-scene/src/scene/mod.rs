@@ -24,8 +24,8 @@ pub use force::{
     Buoyancy, Central, Field, Force, Frame, LinearDrag, MutualGravity, Pin, QuadraticDrag, Spring, TorsionSpring,
 };
 pub use shape::{
-    Capsule, Cone, Cuboid, Cylinder, Disc, Ellipsoid, Form, HalfSpace, Mesh, Polygon, Rectangle, Ring, Shape, Shapes,
-    Sphere, Torus,
+    Capsule, Cone, Cuboid, Cylinder, Disc, Ellipsoid, Form, HalfSpace, Hull, Mesh, Polygon, Rectangle, Ring, Shape,
+    Shapes, Sphere, Torus,
 };
 pub use values::{AxisAngle, Color, EulerAngles, Gravity, Inertia, OneOrMany, Rotation, TimeStep};
 

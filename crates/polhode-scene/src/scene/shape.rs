@@ -36,6 +36,7 @@ tagged! {
         "torus" Torus,
         "half_space" HalfSpace,
         "mesh" Mesh,
+        "hull" Hull,
         "disc" Disc,
         "rectangle" Rectangle,
         "polygon" Polygon,
@@ -122,6 +123,14 @@ table! {
         file: String;
         /// Metres in one unit of the file.
         scale: f64, positive = 1.0;
+    }
+}
+
+table! {
+    /// The convex hull of points.
+    "a hull" Hull {
+        /// At least four, not all in one plane; those inside are left out [m].
+        points: Vec<[f64; 3]>;
     }
 }
 

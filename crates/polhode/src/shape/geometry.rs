@@ -1,8 +1,8 @@
 //! The closed set of geometries.
 
 use super::{
-    Capsule, Cone, Cuboid, Cylinder, Disc, Ellipsoid, Fill, HalfSpace, Polygon, Rectangle, Ring, Sphere, Torus,
-    TriangleMesh,
+    Capsule, Cone, ConvexHull, Cuboid, Cylinder, Disc, Ellipsoid, Fill, HalfSpace, Polygon, Rectangle, Ring, Sphere,
+    Torus, TriangleMesh,
 };
 use crate::error::Error;
 use crate::mass::Moments;
@@ -29,6 +29,8 @@ pub enum Geometry {
     HalfSpace(HalfSpace),
     /// A triangle mesh, shared by all shapes that use it.
     Mesh(Arc<TriangleMesh>),
+    /// A convex polyhedron, shared by all shapes that use it.
+    Hull(Arc<ConvexHull>),
     /// A disc, planar.
     Disc(Disc),
     /// A rectangle, planar.
@@ -52,6 +54,7 @@ impl Geometry {
             Self::Torus(_) => "torus",
             Self::HalfSpace(_) => "half_space",
             Self::Mesh(_) => "mesh",
+            Self::Hull(_) => "hull",
             Self::Disc(_) => "disc",
             Self::Rectangle(_) => "rectangle",
             Self::Polygon(_) => "polygon",
@@ -80,6 +83,7 @@ impl Geometry {
                 "has no mass: it belongs on a fixed body, or on one whose mass properties are given",
             )),
             Self::Mesh(s) => s.moments(fill, density),
+            Self::Hull(s) => s.moments(fill, density),
             Self::Disc(s) => s.moments(fill, density),
             Self::Rectangle(s) => s.moments(fill, density),
             Self::Polygon(s) => s.moments(fill, density),
@@ -93,8 +97,8 @@ impl Geometry {
     pub fn validate(&self) -> Result<(), Error> {
         match self {
             Self::HalfSpace(s) => s.validate(),
-            // Its indices and positions were checked when it was made; it need not be closed to be fixed.
-            Self::Mesh(_) => Ok(()),
+            // Checked when they were made; a mesh need not be closed to be fixed.
+            Self::Mesh(_) | Self::Hull(_) => Ok(()),
             // The closed forms check what they are given.
             _ => self.moments(Fill::Solid, 1.0).map(drop),
         }

@@ -24,6 +24,7 @@ mod disc;
 mod ellipsoid;
 mod geometry;
 mod half_space;
+mod hull;
 mod mesh;
 mod polygon;
 mod rectangle;
@@ -39,6 +40,7 @@ pub use disc::Disc;
 pub use ellipsoid::Ellipsoid;
 pub use geometry::Geometry;
 pub use half_space::HalfSpace;
+pub use hull::ConvexHull;
 pub use mesh::TriangleMesh;
 pub use polygon::Polygon;
 pub use rectangle::Rectangle;
@@ -128,6 +130,10 @@ impl Shape {
     /// A triangle mesh; closed, if it is to have mass.
     pub fn mesh(mesh: impl Into<Arc<TriangleMesh>>) -> Self {
         Self::new(Geometry::Mesh(mesh.into()))
+    }
+    /// A convex polyhedron; [`ConvexHull::new`] makes one of points.
+    pub fn hull(hull: impl Into<Arc<ConvexHull>>) -> Self {
+        Self::new(Geometry::Hull(hull.into()))
     }
     /// A disc in the plane z = 0.
     pub fn disc(radius: f64) -> Self {
