@@ -69,11 +69,7 @@ impl Aabb {
     /// The least box that holds both.
     pub fn merged(&self, other: &Self) -> Self {
         Self {
-            min: Vec3::new(
-                self.min.x.least(other.min.x),
-                self.min.y.least(other.min.y),
-                self.min.z.least(other.min.z),
-            ),
+            min: Vec3::new(self.min.x.least(other.min.x), self.min.y.least(other.min.y), self.min.z.least(other.min.z)),
             max: Vec3::new(
                 self.max.x.greatest(other.max.x),
                 self.max.y.greatest(other.max.y),
@@ -220,9 +216,7 @@ fn half_extents(geometry: &Geometry, rows: [Vec3; 3]) -> ([f64; 3], f64) {
         Geometry::Sphere(s) => ([s.radius; 3], s.radius),
         Geometry::Cuboid(s) => of_box(s.size),
         Geometry::Capsule(s) => (rows.map(|r| 0.5 * s.length * r.z.abs() + s.radius), s.radius + s.length),
-        Geometry::Cylinder(s) => {
-            (rows.map(|r| 0.5 * s.length * r.z.abs() + s.radius * across(r)), s.radius + s.length)
-        }
+        Geometry::Cylinder(s) => (rows.map(|r| 0.5 * s.length * r.z.abs() + s.radius * across(r)), s.radius + s.length),
         Geometry::Ellipsoid(s) => (rows.map(|r| r.scale(s.semi_axes).length()), s.semi_axes.length()),
         Geometry::Torus(s) => (rows.map(|r| s.major * across(r) + s.minor), s.major + s.minor),
         Geometry::Disc(s) => of_disc(s.radius),

@@ -39,11 +39,7 @@ impl Lattice {
     }
     /// The cell in which two boxes that overlap report it.
     pub(super) fn meeting_cell(&self, a: &Aabb, b: &Aabb) -> [i32; 3] {
-        self.cell(Vec3::new(
-            a.min.x.greatest(b.min.x),
-            a.min.y.greatest(b.min.y),
-            a.min.z.greatest(b.min.z),
-        ))
+        self.cell(Vec3::new(a.min.x.greatest(b.min.x), a.min.y.greatest(b.min.y), a.min.z.greatest(b.min.z)))
     }
     /// Calls `visit` with ranges of cells that together hold every cell of `within` that `ray` goes through.
     ///
@@ -54,17 +50,16 @@ impl Lattice {
         let bounds = self.cells(within);
         let d = ray.direction.to_array().map(f64::abs);
         let axis = if d[0] >= d[1] && d[0] >= d[2] { 0 } else { 1 + usize::from(d[2] > d[1]) };
-        let at = |t: f64, i: usize| ray.origin[i] + t * ray.direction[i];
+        // ∞·0 where a faint direction makes t overflow.
+        let along = |t: f64, d: f64| if d == 0.0 { 0.0 } else { t * d };
+        let at = |t: f64, i: usize| ray.origin[i] + along(t, ray.direction[i]);
         let slack = 1e-9 * (self.edge + ray.origin.max_abs() + within.min.max_abs() + within.max.max_abs());
         // The cells of one piece of the ray, from t = a to t = b.
         let piece = |a: f64, b: f64| {
             let low = Vec3::from([0, 1, 2].map(|i| at(a, i).least(at(b, i)) - slack));
             let high = Vec3::from([0, 1, 2].map(|i| at(a, i).greatest(at(b, i)) + slack));
             let cells = self.cells(&Aabb::new(low, high));
-            Cells {
-                low: [0, 1, 2].map(|i| cells.low[i].max(bounds.low[i])),
-                high: [0, 1, 2].map(|i| cells.high[i].min(bounds.high[i])),
-            }
+            cells.within(&bounds)
         };
         let whole = piece(first, last);
         for slice in whole.low[axis]..=whole.high[axis] {
@@ -89,8 +84,16 @@ impl Cells {
         }
         Some(count)
     }
-    pub(super) fn contains(&self, cell: [i32; 3]) -> bool {
-        (0..3).all(|i| self.low[i] <= cell[i] && cell[i] <= self.high[i])
+    /// Those that are also in `range`.
+    pub(super) fn within(&self, range: &Self) -> Self {
+        Self {
+            low: [0, 1, 2].map(|i| self.low[i].max(range.low[i])),
+            high: [0, 1, 2].map(|i| self.high[i].min(range.high[i])),
+        }
+    }
+    /// Those and `n` more on every side.
+    pub(super) fn grown(&self, n: i32) -> Self {
+        Self { low: self.low.map(|c| c - n), high: self.high.map(|c| c + n) }
     }
     /// All of them, x fastest.
     pub(super) fn iter(self) -> impl Iterator<Item = [i32; 3]> {

@@ -6,13 +6,14 @@
 
 pub mod brute;
 pub mod sweep;
-//X pub mod sweep3;
-//X pub mod lattice;
-//X pub mod grid;
-//X pub mod hashed;
-//X pub mod hierarchical;
-//X pub mod octree;
-//X pub mod kd;
+pub mod sweep3;
+mod lattice;
+mod listing;
+pub mod grid;
+pub mod hashed;
+pub mod hierarchical;
+pub mod octree;
+pub mod kd;
 pub mod tree;
 #[cfg(test)]
 mod tests;
@@ -94,14 +95,13 @@ impl Structure {
         match self {
             Self::Brute => Box::new(brute::Brute::default()),
             Self::Sweep => Box::new(sweep::Sweep::default()),
-//X            Self::Sweep3 => Box::new(sweep3::Sweep3::default()),
-//X            Self::Grid => Box::new(grid::Grid::default()),
-//X            Self::Hashed => Box::new(hashed::Hashed::default()),
-//X            Self::Hierarchical => Box::new(hierarchical::Hierarchical::default()),
-//X            Self::Octree => Box::new(octree::Octree::default()),
-//X            Self::Kd => Box::new(kd::Kd::default()),
+            Self::Sweep3 => Box::new(sweep3::Sweep3::default()),
+            Self::Grid => Box::new(grid::Grid::default()),
+            Self::Hashed => Box::new(hashed::Hashed::default()),
+            Self::Hierarchical => Box::new(hierarchical::Hierarchical::default()),
+            Self::Octree => Box::new(octree::Octree::default()),
+            Self::Kd => Box::new(kd::Kd::default()),
             Self::Tree => Box::new(tree::phase::Phase::default()),
-            _ => Box::new(brute::Brute::default()), //Y
         }
     }
 }

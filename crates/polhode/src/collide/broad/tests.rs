@@ -29,9 +29,8 @@ impl Random {
     }
 }
 
-const SCENES: [&str; 11] = [
-    "random", "clusters", "line", "stack", "scales", "coincident", "points", "plate", "infinite", "huge", "nonsense",
-];
+const SCENES: [&str; 11] =
+    ["random", "clusters", "line", "stack", "scales", "coincident", "points", "plate", "infinite", "huge", "nonsense"];
 
 fn scene(name: &str, n: usize, random: &mut Random) -> Vec<Aabb> {
     let half_edge = 0.5 * libm::cbrt(n as f64);

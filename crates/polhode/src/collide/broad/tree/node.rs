@@ -68,8 +68,7 @@ impl Box32 {
     #[inline(always)]
     pub(super) fn merged(&self, b: &Self) -> Self {
         let min = [least(self.min[0], b.min[0]), least(self.min[1], b.min[1]), least(self.min[2], b.min[2])];
-        let max =
-            [greatest(self.max[0], b.max[0]), greatest(self.max[1], b.max[1]), greatest(self.max[2], b.max[2])];
+        let max = [greatest(self.max[0], b.max[0]), greatest(self.max[1], b.max[1]), greatest(self.max[2], b.max[2])];
         Self { min, max }
     }
     #[inline(always)]

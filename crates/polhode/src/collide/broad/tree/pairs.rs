@@ -71,7 +71,9 @@ impl Pairs {
     fn ask_for_changes(&mut self, moving: &Tree, fixed: &[&Tree]) {
         let changed = |key| moving.has_changed(key) || fixed.iter().any(|tree| tree.has_changed(key));
         let overlap = |(i, j): Pair| {
-            let of = |key| fixed.iter().map(|tree| tree.fat(key)).fold(moving.fat(key), |a, b| if a.is_absent() { b } else { a });
+            let of = |key| {
+                fixed.iter().map(|tree| tree.fat(key)).fold(moving.fat(key), |a, b| if a.is_absent() { b } else { a })
+            };
             of(i).meets(&of(j))
         };
         self.lost.extend(self.all.iter().filter(|&&(i, j)| (changed(i) || changed(j)) && !overlap((i, j))));

@@ -10,10 +10,10 @@
 //! Each test is one box against eight lanes. The order of the walk is that of the memory and shows in no result, for what is
 //! found is sorted afterwards.
 
-use super::node::{Bits, Box32, LEAF, NONE, Node, Probe};
 use super::Tree;
-use crate::collide::broad::{Pair, pair};
+use super::node::{Bits, Box32, LEAF, NONE, Node, Probe};
 use crate::collide::bounds::{Aabb, Ray};
+use crate::collide::broad::{Pair, pair};
 use crate::math::Vec3;
 use fearless_simd::{Level, Simd, dispatch};
 
