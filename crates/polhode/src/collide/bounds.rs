@@ -255,3 +255,142 @@ fn around(points: impl Iterator<Item = Vec3>, x: Vec3) -> Aabb {
     let reach = (tight.max - x).max_abs().greatest((tight.min - x).max_abs());
     tight.expanded(rounding(x, 2.0 * reach))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Quat;
+    use crate::shape::Shape;
+    use core::f64::consts::{PI, TAU};
+    use std::sync::Arc;
+
+    /// Points of the surface in the shape's frame, dense enough that some point is within `N`⁻² of every extreme one.
+    const N: usize = 160;
+
+    fn turn(i: usize) -> [f64; 2] {
+        let angle = TAU * i as f64 / N as f64;
+        [libm::cos(angle), libm::sin(angle)]
+    }
+
+    fn circle(radius: f64, z: f64) -> Vec<Vec3> {
+        (0..N).map(turn).map(|[c, s]| Vec3::new(radius * c, radius * s, z)).collect()
+    }
+
+    fn ball(semi_axes: Vec3) -> Vec<Vec3> {
+        let ring = |i: usize| {
+            let polar = PI * i as f64 / N as f64;
+            circle(libm::sin(polar), libm::cos(polar))
+        };
+        (0..=N).flat_map(ring).map(|p| p.scale(semi_axes)).collect()
+    }
+
+    fn corners(x: f64, y: f64, z: f64) -> Vec<Vec3> {
+        let side = |i: usize, bit: usize| if i & bit == 0 { -0.5 } else { 0.5 };
+        (0..8).map(|i| Vec3::new(x * side(i, 1), y * side(i, 2), z * side(i, 4))).collect()
+    }
+
+    fn samples() -> Vec<(Geometry, Vec<Vec3>)> {
+        let at = |points: Vec<Vec3>, z: f64| points.into_iter().map(move |p| p + z * Vec3::Z);
+        let torus = (0..N).map(turn).flat_map(|[c, s]| circle(0.9 + 0.3 * c, 0.3 * s)).collect();
+        let outline = vec![[0.0, 0.0], [2.0, 0.3], [1.0, 1.0], [0.2, 2.0]];
+        let polygon = outline.iter().map(|&[x, y]| Vec3::new(x, y, 0.0)).collect();
+        let positions = vec![Vec3::ZERO, Vec3::X, 2.0 * Vec3::Y, 3.0 * Vec3::Z, Vec3::splat(-50.0)];
+        let mesh = TriangleMesh::new(positions.clone(), vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]).unwrap();
+        let semi_axes = Vec3::new(0.2, 0.5, 0.9);
+        vec![
+            (Shape::sphere(0.7).geometry, ball(Vec3::splat(0.7))),
+            (Shape::cuboid([0.3, 0.5, 0.9]).geometry, corners(0.3, 0.5, 0.9)),
+            (
+                Shape::capsule(0.4, 1.2).geometry,
+                at(ball(Vec3::splat(0.4)), 0.6).chain(at(ball(Vec3::splat(0.4)), -0.6)).collect(),
+            ),
+            (Shape::cylinder(0.4, 1.2).geometry, [circle(0.4, 0.6), circle(0.4, -0.6)].concat()),
+            (Shape::cone(0.4, 1.2).geometry, [circle(0.4, -0.3), vec![Vec3::new(0.0, 0.0, 0.9)]].concat()),
+            (Geometry::Ellipsoid(crate::shape::Ellipsoid { semi_axes }), ball(semi_axes)),
+            (Shape::torus(0.9, 0.3).geometry, torus),
+            (Geometry::Mesh(Arc::new(mesh)), positions[..4].to_vec()),
+            (Shape::disc(0.6).geometry, circle(0.6, 0.0)),
+            (Shape::rectangle([0.3, 0.8]).geometry, corners(0.3, 0.8, 0.0)),
+            (Shape::polygon(outline).geometry, polygon),
+            (Shape::ring(0.2, 0.6).geometry, circle(0.6, 0.0)),
+        ]
+    }
+
+    #[test]
+    fn bounds_hold_every_point_and_nothing_more() {
+        for (geometry, points) in samples() {
+            for i in 0..40 {
+                let t = f64::from(i);
+                let rot = Quat::from_rotation_vector(Vec3::new(libm::sin(t), 0.3 * t, libm::cos(2.0 * t)));
+                let far = if i % 4 == 3 { 1e7 } else { 1.0 };
+                let rot = if i % 5 == 0 { Quat::IDENTITY } else { rot };
+                let pose = Pose::new(far * Vec3::new(libm::cos(t), -0.5, 0.1 * t), rot);
+                let b = bounds(&geometry, &pose);
+                let sampled =
+                    points.iter().map(|&p| pose.point(p)).fold(Aabb::EMPTY, |b, p| b.merged(&Aabb::new(p, p)));
+                assert!(b.contains(&sampled), "{} {i}: {b:?} misses part of {sampled:?}", geometry.name());
+                // A curve of radius r sampled every angle a stays r a²/8 inside; tori and balls are curved twice, and no radius
+                // here exceeds 1.2. On top, the widening for rounding, twice.
+                let a = TAU / N as f64;
+                let sagitta = if points.len() < 9 { 0.0 } else { 2.0 * 1.2 * a * a / 8.0 };
+                let slack = sagitta + 4.0 * rounding(pose.x, 4.0);
+                let excess = (sampled.min - b.min).max_abs().greatest((b.max - sampled.max).max_abs());
+                assert!(excess <= slack, "{} {i}: {excess} too large", geometry.name());
+            }
+        }
+    }
+
+    #[test]
+    fn a_half_space_is_bounded_where_its_normal_is_an_axis() {
+        let ground = Shape::half_space([0.0, 0.0, 2.0]).geometry;
+        let b = bounds(&ground, &Pose::new(Vec3::new(1.0, 2.0, 3.0), Quat::IDENTITY));
+        assert_eq!((b.max.z, b.min, b.max.x), (3.0, Vec3::splat(f64::NEG_INFINITY), f64::INFINITY));
+        let tilted = Pose::new(Vec3::ZERO, Quat::from_rotation_vector(Vec3::new(0.1, 0.0, 0.0)));
+        assert_eq!(bounds(&ground, &tilted), Aabb::EVERYTHING);
+    }
+
+    #[test]
+    fn what_is_not_a_box_overlaps_nothing_and_is_reported() {
+        let unit = Aabb::new(Vec3::ZERO, Vec3::splat(1.0));
+        let nan = Aabb::new(Vec3::ZERO, Vec3::new(1.0, f64::NAN, 1.0));
+        for odd in [nan, Aabb::EMPTY, Aabb::new(Vec3::splat(1.0), Vec3::ZERO)] {
+            assert!(!odd.overlaps(&Aabb::EVERYTHING) && !Aabb::EVERYTHING.overlaps(&odd) && !odd.overlaps(&odd));
+            assert!(!unit.contains(&odd) && odd.surface_area() == 0.0);
+            assert_eq!(check(&[unit, odd]).unwrap_err().path(), "[1]");
+        }
+        assert!(check(&[unit, Aabb::EVERYTHING]).is_ok());
+        assert!(check(&[nan]).unwrap_err().to_string().contains("not a number"));
+        let pose = Pose::new(Vec3::new(f64::NAN, 0.0, 0.0), Quat::IDENTITY);
+        for (geometry, _) in samples() {
+            assert!(!bounds(&geometry, &pose).is_valid(), "{}", geometry.name());
+        }
+    }
+
+    #[test]
+    fn boxes_that_touch_overlap() {
+        let unit = Aabb::new(Vec3::ZERO, Vec3::splat(1.0));
+        let beside = Aabb::new(Vec3::X, Vec3::new(2.0, 1.0, 1.0));
+        let apart = Aabb::new(Vec3::new(1.0f64.next_up(), 0.0, 0.0), Vec3::splat(2.0));
+        assert!(unit.overlaps(&beside) && !unit.overlaps(&apart));
+        assert_eq!(unit.merged(&beside), Aabb::new(Vec3::ZERO, Vec3::new(2.0, 1.0, 1.0)));
+        assert_eq!(unit.swept(Vec3::X), unit.merged(&beside));
+        assert_eq!((unit.surface_area(), unit.center()), (6.0, Vec3::splat(0.5)));
+        assert_eq!(Aabb::EVERYTHING.center(), Vec3::ZERO);
+    }
+
+    #[test]
+    fn a_ray_is_inside_from_face_to_face() {
+        let unit = Aabb::new(Vec3::ZERO, Vec3::splat(1.0));
+        let ray = |origin: [f64; 3], direction: Vec3, length| Ray { origin: origin.into(), direction, length };
+        let hit = |r: Ray| unit.ray(&r);
+        assert_eq!(hit(ray([-1.0, 0.5, 0.5], 2.0 * Vec3::X, 9.0)), Some((0.5, 1.0)));
+        assert_eq!(hit(ray([-1.0, 0.5, 0.5], 2.0 * Vec3::X, 0.4)), None);
+        assert_eq!(hit(ray([0.5, 0.5, 0.5], -Vec3::Z, f64::INFINITY)), Some((0.0, 0.5)));
+        // Along a face, which belongs to the box.
+        assert_eq!(hit(ray([-1.0, 1.0, 0.0], Vec3::X, 9.0)), Some((1.0, 2.0)));
+        assert_eq!(hit(ray([-1.0, 1.1, 0.0], Vec3::X, 9.0)), None);
+        assert_eq!(hit(ray([0.5, 0.5, 0.5], Vec3::ZERO, 9.0)), None);
+        assert_eq!(hit(ray([f64::NAN, 0.5, 0.5], Vec3::X, 9.0)), None);
+        assert_eq!(Aabb::EVERYTHING.ray(&ray([0.0; 3], Vec3::X, 9.0)), Some((0.0, 9.0)));
+    }
+}

@@ -23,6 +23,8 @@ mod node;
 pub mod pairs;
 pub mod phase;
 mod walk;
+#[cfg(test)]
+mod tests;
 
 use super::bytes;
 use crate::collide::bounds::Aabb;
@@ -212,6 +214,9 @@ impl Tree {
             return;
         }
         let Some(root) = self.root else { return };
+        // Clean subtrees of any depth count as one item each, so that mending upon mending may make the tree deep: then all of it
+        // is taken apart. A full tree has log₈ n levels.
+        let whole = self.nodes[root as usize].height > 6 + (self.len.ilog2() / 3) * 2;
         self.items.clear();
         self.stack.clear();
         self.stack.push(root);
@@ -219,7 +224,7 @@ impl Tree {
             let node = &self.nodes[at as usize];
             for lane in 0..LANES {
                 let child = node.child[lane];
-                if child != NONE && child & LEAF == 0 && self.nodes[child as usize].stirred {
+                if child != NONE && child & LEAF == 0 && (whole || self.nodes[child as usize].stirred) {
                     self.stack.push(child);
                 } else if child != NONE {
                     self.items.push(Item { bounds: node.get(lane), child });
@@ -284,6 +289,11 @@ impl Tree {
         for (lane, part) in parts.part[..parts.count].iter().enumerate() {
             let child = if part.len() == 1 { items[part.first].child } else { self.plant_part(items, *part) };
             self.put(at, lane, Item { bounds: part.bounds, child });
+            if child & LEAF == 0 {
+                let below = self.nodes[child as usize].height;
+                let height = &mut self.nodes[at as usize].height;
+                *height = (*height).max(below + 1);
+            }
         }
         at
     }

@@ -105,6 +105,8 @@ pub(super) struct Node {
     pub(super) parent: u32,
     /// Whether something below has moved since the node was built.
     pub(super) stirred: bool,
+    /// Levels from here down, as it was built.
+    pub(super) height: u32,
 }
 
 impl Node {
@@ -114,6 +116,7 @@ impl Node {
         child: [NONE; LANES],
         parent: NONE,
         stirred: false,
+        height: 1,
     };
 
     #[inline(always)]
