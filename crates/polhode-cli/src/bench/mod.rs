@@ -1,9 +1,30 @@
-//! bench
+//! `polhode bench`: speed on this machine.
+//!
+//! A figure of speed is worth something beside another one of the same run on a quiet machine, and little else.
+
+mod broad;
+
+use crate::{Outcome, Refusal, Terminal};
+
+/// What to measure.
 #[derive(Debug, clap::Args)]
-/// a
-pub struct Arguments {}
+pub struct Arguments {
+    #[command(subcommand)]
+    scene: Scene,
+}
+
+/// The scenes.
+#[derive(Debug, clap::Subcommand)]
+enum Scene {
+    /// The structures that find overlapping boxes, by scene and number of boxes
+    Broad(broad::Arguments),
+}
+
 impl Arguments {
-    pub(crate) fn execute(&self, _: &mut crate::Terminal) -> Result<crate::Outcome, crate::Refusal> {
-        Ok(crate::Outcome::Done)
+    /// Measures what was asked for.
+    pub(crate) fn execute(&self, terminal: &mut Terminal) -> Result<Outcome, Refusal> {
+        match &self.scene {
+            Scene::Broad(arguments) => arguments.execute(terminal),
+        }
     }
 }

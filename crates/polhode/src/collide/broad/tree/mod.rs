@@ -80,6 +80,8 @@ pub struct Tree {
     len: usize,
     /// Leaves inserted or moved since the tree was last mended.
     restless: usize,
+    /// Whether a leaf went deeper than a tree of this size should be.
+    too_deep: bool,
     /// Keys whose fat box has changed since [`Tree::forget_changes`]; the flag of each keeps it from being listed twice.
     changed: Vec<u32>,
     is_changed: Vec<bool>,
@@ -210,13 +212,13 @@ impl Tree {
 
     /// Builds anew what has become loose, once enough of it has; call it once a step, after the boxes are placed.
     pub fn mend(&mut self) {
-        if self.restless * 4 <= self.len + 64 {
+        if self.restless * 4 <= self.len + 64 && !self.too_deep {
             return;
         }
         let Some(root) = self.root else { return };
         // Clean subtrees of any depth count as one item each, so that mending upon mending may make the tree deep: then all of it
-        // is taken apart. A full tree has log₈ n levels.
-        let whole = self.nodes[root as usize].height > 6 + (self.len.ilog2() / 3) * 2;
+        // is taken apart.
+        let whole = self.nodes[root as usize].height > self.most_levels();
         self.items.clear();
         self.stack.clear();
         self.stack.push(root);
@@ -265,6 +267,10 @@ impl Tree {
         let least = size.x.min(size.y).min(size.z);
         4.0 * self.margin.distance + if least.is_finite() { 4.0 * self.margin.share * least } else { 0.0 }
     }
+    /// How many levels are let be; a full tree has log₈ n.
+    fn most_levels(&self) -> u32 {
+        6 + 2 * (self.len.max(1).ilog2() / 3)
+    }
     fn grow(&mut self, keys: usize) {
         if self.home.len() < keys {
             self.home.resize(keys, NONE);
@@ -276,6 +282,7 @@ impl Tree {
     /// Makes a tree of the items: the root and every new node below it.
     fn plant(&mut self) {
         self.restless = 0;
+        self.too_deep = false;
         let mut items = core::mem::take(&mut self.items);
         let whole = Part::whole(&items);
         self.root = (!items.is_empty()).then(|| self.plant_part(&mut items, whole));
@@ -328,7 +335,10 @@ impl Tree {
             self.root = Some(root);
             return;
         };
+        let mut level = 1;
         loop {
+            level += 1;
+            self.too_deep |= level > self.most_levels();
             let node = &mut self.nodes[at as usize];
             node.stirred = true;
             let (lane, growth) = cheapest_lane(node, &leaf.bounds);
