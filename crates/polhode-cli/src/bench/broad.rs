@@ -19,7 +19,7 @@ const QUERIES: usize = 200;
 
 /// The structures that find overlapping boxes, by scene and number of boxes
 #[derive(Debug, clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// Numbers of boxes
     #[arg(long, value_name = "N", value_delimiter = ',', default_values_t = [100, 1000, 10_000, 100_000],
         value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
@@ -51,7 +51,7 @@ enum Scene {
 
 impl Arguments {
     /// Measures and prints the tables.
-    pub(crate) fn execute(&self, terminal: &mut Terminal) -> Result<Outcome, Refusal> {
+    pub(super) fn execute(&self, terminal: &mut Terminal) -> Result<Outcome, Refusal> {
         let mut sizes = self.n.clone();
         sizes.extend(self.large.then_some(1_000_000));
         sizes.sort_unstable();
@@ -89,7 +89,7 @@ impl Random {
 fn boxes(scene: Scene, n: usize) -> Vec<Aabb> {
     let random = &mut Random(1);
     // A box for each 2 m³: with cubes of 1 m two to four neighbours each.
-    let half = 0.5 * (2.0 * n as f64).cbrt_by_newton();
+    let half = 0.5 * libm::cbrt(2.0 * n as f64);
     let row = (n as f64).sqrt().ceil() as usize;
     let unit = Vec3::splat(0.5);
     let mut all: Vec<Aabb> = (0..n)
@@ -97,7 +97,7 @@ fn boxes(scene: Scene, n: usize) -> Vec<Aabb> {
             Scene::Random | Scene::Plate => Aabb::centered(random.vector(half), unit),
             Scene::Clusters => {
                 let heap = Vec3::new((i % 10) as f64, (i / 10 % 10) as f64, 0.0) * (20.0 * half);
-                Aabb::centered(heap + random.vector(half / 100f64.cbrt_by_newton()), unit)
+                Aabb::centered(heap + random.vector(half / libm::cbrt(100.0)), unit)
             }
             Scene::Line => Aabb::centered(Vec3::X * (0.8 * i as f64) + random.vector(0.1), unit),
             Scene::Layer => {
@@ -106,7 +106,7 @@ fn boxes(scene: Scene, n: usize) -> Vec<Aabb> {
             }
             Scene::Scales => {
                 // The count of boxes halves three times for each doubling of the edge.
-                let edge = 0.01 / (random.unit() + 1e-9).cbrt_by_newton().max(1e-3);
+                let edge = 0.01 / libm::cbrt(random.unit()).max(1e-3);
                 Aabb::centered(random.vector(0.05 * half), Vec3::splat(0.5 * edge))
             }
         })
@@ -115,21 +115,6 @@ fn boxes(scene: Scene, n: usize) -> Vec<Aabb> {
         all[0] = Aabb::centered(Vec3::ZERO, Vec3::new(2.0 * half, 2.0 * half, 2.0 * half));
     }
     all
-}
-
-/// Cube roots without the C library.
-trait CubeRoot {
-    fn cbrt_by_newton(self) -> f64;
-}
-
-impl CubeRoot for f64 {
-    fn cbrt_by_newton(self) -> f64 {
-        let mut x = if self > 1.0 { self } else { 1.0 };
-        for _ in 0..200 {
-            x -= (x - self / (x * x)) / 3.0;
-        }
-        x
-    }
 }
 
 /// What one structure needs for one scene of n boxes \[s; bytes\].
@@ -223,27 +208,10 @@ fn row(structure: Structure, cost: &Cost, last: Option<&Cost>, out: &mut dyn Wri
     match last {
         Some(last) => {
             let ratio = (cost.update + cost.pairs) / (last.update + last.pairs).max(1e-12);
-            writeln!(out, "{:>7.2}", logarithm(ratio) / logarithm(n / last.n as f64))
+            writeln!(out, "{:>7.2}", libm::log(ratio) / libm::log(n / last.n as f64))
         }
         None => writeln!(out),
     }
-}
-
-/// ln x by the integral of 1/x, which is all a slope of two digits needs; the C library's is not the same on every machine.
-fn logarithm(x: f64) -> f64 {
-    let (mut x, mut halvings) = (x, 0.0);
-    while x > 1.5 {
-        x /= 2.0;
-        halvings += 1.0;
-    }
-    while x < 0.75 {
-        x *= 2.0;
-        halvings -= 1.0;
-    }
-    // 2 artanh y with y = (x − 1)/(x + 1), |y| ≤ 1/5.
-    let y = (x - 1.0) / (x + 1.0);
-    let terms = (0..8).rev().fold(0.0, |sum, k| sum * y * y + 1.0 / f64::from(2 * k + 1));
-    halvings * core::f64::consts::LN_2 + 2.0 * y * terms
 }
 
 /// The engine's own way with n fixed boxes: building once, a step in which nothing moves, and one in which a hundred things do.
@@ -273,7 +241,7 @@ fn fixed(n: usize, out: &mut dyn Write) -> io::Result<()> {
     let still = (0..100).map(|_| step(0, &mut moving, &mut fixed, &mut pairs, 0)).sum::<f64>() / 100.0;
     let (nodes, lanes, levels) = fixed.shape();
     writeln!(out, "\n{}", styled(HEADING, &format!("{n} fixed boxes in the tree")))?;
-    writeln!(out, "  built in {:.3} s: {nodes} nodes of {lanes:.1} lanes, {levels} levels", build)?;
+    writeln!(out, "  built in {build:.3} s: {nodes} nodes of {lanes:.1} lanes, {levels} levels")?;
     writeln!(
         out,
         "  a step in which nothing moves: {:.2} µs; one in which 100 boxes move: {:.1} µs",
