@@ -84,10 +84,8 @@ impl Listing {
         self.large.extend(self.keys.iter().filter(|&&i| self.is_large[i as usize]));
         let listed = self.keys.iter().filter(|&&i| !self.is_large[i as usize]).map(|&i| boxes[i as usize]);
         self.around = listed.fold(Aabb::EMPTY, |a, b| a.merged(&b));
-        self.range = match self.around.is_valid() {
-            true => lattice.cells(&self.around),
-            false => Cells { low: [0; 3], high: [-1; 3] },
-        };
+        self.range =
+            if self.around.is_valid() { lattice.cells(&self.around) } else { Cells { low: [0; 3], high: [-1; 3] } };
         self.fill();
     }
 

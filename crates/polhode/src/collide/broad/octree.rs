@@ -103,10 +103,8 @@ impl BroadPhase for Octree {
         self.add_cube();
         let finite = self.keys.iter().map(|&i| boxes[i as usize]).filter(Aabb::is_finite);
         let around = finite.fold(Aabb::EMPTY, |a, b| a.merged(&b));
-        let (center, half) = match around.is_valid() {
-            true => (around.center(), 0.5 * around.size().max_abs()),
-            false => (Vec3::ZERO, 1.0),
-        };
+        let (center, half) =
+            if around.is_valid() { (around.center(), 0.5 * around.size().max_abs()) } else { (Vec3::ZERO, 1.0) };
         for n in 0..self.keys.len() {
             self.insert(self.keys[n], center, half);
         }
