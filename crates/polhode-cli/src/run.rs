@@ -75,14 +75,18 @@ impl Arguments {
             run.world_mut().set_threads(usize::from(self.threads))?;
         }
         if self.html.is_some() {
-            self.require_a_page_that_opens(&runs)?;
+            require_a_page_that_opens(&runs)?;
         }
         let labels: Vec<String> = runs.iter().map(|run| run.header().label.clone()).collect();
         let outputs = Outputs::prepare(self, &labels)?;
         let keep = self.html.is_some() || self.csv.is_some() || self.record.is_some();
         let finished = simulate(runs, keep)?;
+        // First the files: a reader that stops listening must not cost them.
+        let written = outputs.write(&finished)?;
         summarize(&file, &finished, terminal.out)?;
-        outputs.write(&finished, terminal.out)?;
+        for (what, path) in written {
+            writeln!(terminal.out, "{what:<10}{}", path.display())?;
+        }
         Ok(Outcome::Done)
     }
 
@@ -117,19 +121,19 @@ impl Arguments {
         }
         Ok(())
     }
+}
 
-    fn require_a_page_that_opens(&self, runs: &[Run]) -> Result<(), Refusal> {
-        let size: u64 = runs.iter().map(|run| run.header().frame_bytes(run.n_frames())).fold(0, u64::saturating_add);
-        // Base64 writes four bytes for three.
-        if size / 3 * 4 <= LARGEST_PAGE {
-            return Ok(());
-        }
-        Err(Refusal::Input(format!(
-            "the page would hold {} MB, more than a browser opens: give the scene a longer `frame_interval`, or write a \
-             recording with --record",
-            size >> 20
-        )))
+fn require_a_page_that_opens(runs: &[Run]) -> Result<(), Refusal> {
+    let size: u64 = runs.iter().map(Run::recording_bytes).fold(0, u64::saturating_add);
+    // Base64 writes four bytes for three.
+    if size / 3 * 4 <= LARGEST_PAGE {
+        return Ok(());
     }
+    Err(Refusal::Input(format!(
+        "the page would hold {} MB, more than a browser opens: give the scene a longer `frame_interval`, or write a recording \
+         with --record",
+        size >> 20
+    )))
 }
 
 /// The runs of all variants of a scene.
@@ -137,6 +141,8 @@ pub(crate) fn prepare(file: &SceneFile) -> Result<Vec<Run>, Refusal> {
     file.scene.variants().iter().map(|variant| Run::new(file, variant).map_err(scene_error)).collect()
 }
 
+// By value, as `map_err` gives it.
+#[allow(clippy::needless_pass_by_value)]
 pub(crate) fn scene_error(error: polhode_scene::SceneError) -> Refusal {
     Refusal::Scene(error.to_string())
 }
@@ -258,29 +264,27 @@ impl Outputs {
         })
     }
 
-    fn write(self, finished: &[Finished], out: &mut dyn Write) -> Result<(), Refusal> {
+    /// Writes the files; returns what each is, and where.
+    fn write(self, finished: &[Finished]) -> Result<Vec<(&'static str, PathBuf)>, Refusal> {
+        let mut written = Vec::new();
         for ((path, file), run) in self.record.into_iter().zip(finished) {
             save(&path, file, &run.recording)?;
-            tell(out, "recording", &path)?;
+            written.push(("recording", path));
         }
         for ((path, file), run) in self.csv.into_iter().zip(finished) {
             let recording = Recording::read(&run.recording)?;
             let mut to = BufWriter::new(file);
             write_csv(&recording, &mut to).and_then(|()| to.flush()).map_err(|e| unwritable(&path, &e))?;
-            tell(out, "table", &path)?;
+            written.push(("table", path));
         }
         if let Some((path, file)) = self.html {
             let recordings: Vec<&[u8]> = finished.iter().map(|f| f.recording.as_slice()).collect();
             let page = page_of(&PageInfo::default(), &recordings)?;
             save(&path, file, page.as_bytes())?;
-            tell(out, "page", &path)?;
+            written.push(("page", path));
         }
-        Ok(())
+        Ok(written)
     }
-}
-
-fn tell(out: &mut dyn Write, what: &str, path: &Path) -> io::Result<()> {
-    writeln!(out, "{what:<10}{}", path.display())
 }
 
 /// `out.csv` for a single run; `out-LABEL.csv` for each of several.

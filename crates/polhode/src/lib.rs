@@ -40,6 +40,7 @@ pub mod par;
 pub mod mass;
 pub mod shape;
 pub mod field;
+pub mod collide;
 pub mod integrate;
 pub mod model;
 pub mod state;

@@ -2,6 +2,7 @@
 //!
 //! A figure of speed is worth something beside another one of the same run on a quiet machine, and little else.
 
+mod broad;
 mod free;
 
 use crate::{Outcome, Refusal, Terminal};
@@ -18,12 +19,16 @@ pub struct Arguments {
 enum Scene {
     /// Tumbling cuboids that nothing touches, at 60 Hz, without and with gravity
     Free(free::Arguments),
+    /// The structures that find overlapping boxes, by scene and number of boxes
+    Broad(broad::Arguments),
 }
 
 impl Arguments {
+    /// Measures what was asked for.
     pub(crate) fn execute(&self, terminal: &mut Terminal) -> Result<Outcome, Refusal> {
         match &self.scene {
             Scene::Free(arguments) => arguments.execute(terminal),
+            Scene::Broad(arguments) => arguments.execute(terminal),
         }
     }
 }

@@ -1,6 +1,5 @@
 //! The header of a recording: what its numbers mean.
 
-use super::Layout;
 use crate::scene::Kind;
 use polhode::Error;
 use serde::{Deserialize, Serialize};
@@ -244,11 +243,6 @@ impl Header {
             start += channel.size;
         }
         None
-    }
-
-    /// The bytes of `n` frames; more than memory holds counts as the largest number there is.
-    pub fn frame_bytes(&self, n: u64) -> u64 {
-        Layout::of(self).map_or(u64::MAX, |layout| n.saturating_mul(layout.frame as u64))
     }
 
     /// What every header satisfies, written or read.
