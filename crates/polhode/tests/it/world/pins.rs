@@ -48,8 +48,8 @@ fn rattle_with_redundant_rows_converges_to_the_same_motion() {
         assert!((slope - order).abs() < 0.15, "{scheme}: slope {slope}, errors {coarse} {fine}");
     }
     // Divided into two parts a stage, alike in all its stages, a composition is as good as at half the step.
-    let (divided, half) = (error_at_2_s("kahan-li6:pdmv10", 2, 2e-3), error_at_2_s("kahan-li6:pdmv10", 2, 1e-3));
-    assert!(divided < 1e-9 && half < 1e-9, "{divided} {half}");
+    let (divided, half) = (error_at_2_s("kahan-li6:pdmv10", 2, 2.5e-3), error_at_2_s("kahan-li6:pdmv10", 2, 1.25e-3));
+    assert!(divided < 1.1 * half, "{divided} {half}");
 }
 
 #[test]
