@@ -144,9 +144,10 @@ function longestSemiAxis(recordings) {
 /** What the first view must hold: bodies wherever they go, with room for the arrows on moving ones. */
 function toShow(found, center, unit) {
   if (!found.length) return [{ point: center, radius: 1 }];
+  // Every body where it starts, and of the rest one in so many: by the golden ratio, which no number of bodies divides.
   const stride = Math.ceil(found.length / 1500);
   return found
-    .filter((_, k) => k % stride === 0)
+    .filter(({ first }, k) => first || ((k * 0.6180339887498949) % 1) * stride < 1)
     .map(({ point, radius, moving }) => ({ point, radius: moving ? Math.max(radius, 1.32 * unit) : radius }));
 }
 
