@@ -208,6 +208,9 @@ impl Model {
         if let Some(only) = &mut field.only {
             only.sort_unstable();
         }
+        if field.only.is_some() && matches!(field.law, Law::Spring(_) | Law::TorsionSpring(_)) {
+            return Err(Error::new("only", "a spring names its two bodies itself and takes no list"));
+        }
         let known = |name: &str, id: BodyId| match self.slots.slot(id) {
             Some(slot) => Ok(slot),
             None => Err(Error::new(name, "names a body that is not in the world")),

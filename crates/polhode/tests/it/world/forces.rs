@@ -198,6 +198,8 @@ fn fields_refuse_what_they_cannot_do() {
         "b: names a body that is not",
     );
     refused(Field::spring(Anchor::world([0.0; 3]), Anchor::on(id, [0.0; 3]), 1.0, f64::NAN), "rest_length");
+    let spring = Field::spring(Anchor::world([0.0; 3]), Anchor::on(id, [0.0; 3]), 1.0, 0.0);
+    refused(spring.only([id]), "only: a spring names its two bodies itself");
     refused(Field::torsion_spring(None, id, 1.0).rest_rotation(Quat::new(2.0, 0.0, 0.0, 0.0)), "rest: is no rotation");
     refused(Field::linear_drag(1.0, 0.0).only([gone]), "only[0]: names a body that is not");
     refused(Field::buoyancy(f64::INFINITY, 0.0), "density");
