@@ -133,30 +133,34 @@ fn pins_refuse_what_would_tear_them() {
     assert!(world.pin(id, [f64::NAN, 0.0, 0.0]).is_err());
 }
 
-/// A hinge at any speed: the drift is divided where RATTLE would be unstable, and the energy stays.
+/// A hinge at any speed, at the end of a bar and through its centre: the drift is divided where RATTLE would let it open.
 #[test]
 fn hinges_hold_at_any_speed() {
-    for w in [1.0, 10.0, 18.0, 21.0, 26.0, 60.0, 150.0, 1000.0] {
-        for gravity in [0.0, -9.81] {
-            let mut world = World::new();
-            world.set_gravity([0.0, 0.0, gravity]).unwrap();
-            let bar = Body::dynamic()
-                .shape(Shape::cuboid([1.0, 0.2, 0.1]))
-                .velocity([0.0, 0.0, -0.5 * w])
-                .angular_velocity([0.0, w, 0.0]);
-            let id = world.add(bar).unwrap();
-            for y in [-0.1, 0.1] {
-                world.pin(id, [-0.5, y, 0.0]).unwrap();
+    for end in [0.5, 0.0] {
+        for w in [1.0, 10.0, 18.0, 21.0, 26.0, 36.0, 60.0, 150.0, 1000.0] {
+            for gravity in [0.0, -9.81] {
+                let mut world = World::new();
+                world.set_gravity([0.0, 0.0, gravity]).unwrap();
+                let bar = Body::dynamic()
+                    .shape(Shape::cuboid([1.0, 0.2, 0.1]))
+                    .velocity([0.0, 0.0, -end * w])
+                    .angular_velocity([0.0, w, 0.0]);
+                let id = world.add(bar).unwrap();
+                for y in [-0.05, 0.05] {
+                    world.pin(id, [-end, y, 0.0]).unwrap();
+                }
+                let energy = world.energy().kinetic();
+                for _ in 0..2000 {
+                    let report = world.step(1.0 / 60.0);
+                    assert!(report.pins.gap < 1e-13, "{end} m, {w} rad/s: gap {}", report.pins.gap);
+                }
+                // Without a moment of weight the speed stays, but for a rounding in each of at most 2000 · 67 parts; the
+                // weight at the end moves the energy by at most m g times 1 m.
+                let weight = if end == 0.0 { 0.0 } else { 20.0 * gravity.abs() };
+                let allowed = 2000.0 * 67.0 * f64::EPSILON * energy + weight;
+                let change = (world.energy().kinetic() - energy).abs();
+                assert!(change < allowed, "{end} m, {w} rad/s, gravity {gravity}: {change} of {energy}");
             }
-            let energy = world.energy().kinetic();
-            for _ in 0..600 {
-                let report = world.step(1.0 / 60.0);
-                assert!(report.pins.gap < 1e-13, "{w} rad/s: gap {}", report.pins.gap);
-            }
-            // Free, the hinge keeps its energy to the angle of a part, 0.1 rad, to the fourth power, and rounding; the
-            // weight moves it by at most m g times 1 m.
-            let allowed = 1e-4 * energy + if gravity == 0.0 { 0.0 } else { 20.0 * 9.81 };
-            assert!((world.energy().kinetic() - energy).abs() < allowed, "{w} rad/s, gravity {gravity}");
         }
     }
 }
